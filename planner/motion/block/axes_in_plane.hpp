@@ -36,7 +36,7 @@ class AxesInPlane {
  public:
   AxesInPlane() = default;
   /// @param side −1 if the plane is seen from behind, so that angles grow along a clockwise arc;
-  /// else 1
+  /// otherwise 1
   AxesInPlane(const ArcPlane& plane, float side);
 
   [[nodiscard]] const AxisInPlane* begin() const { return axes_.data(); }

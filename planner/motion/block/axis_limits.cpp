@@ -85,8 +85,8 @@ AxisCourse axis_course(const Block& block,
   const float third = kinematics::ToolCentre::third_derivative(lever, rate, way.curvature());
   course.second.array() += between * third;
   course.first += between * course.second;
-  // Between two evaluated positions, a curve is at most as far from its chord as an arc of the
-  // curve's greatest curvature is.
+  // The distance of a curve from its chord is at most that of an arc with the greatest curvature of
+  // the curve. This bounds the positions between two evaluated ones.
   const Vec3 beyond = 0.5F * square(between) * course.second;
   const float anywhere = 2.0F * lever + block.length;
   course.least -= beyond.cwiseMin(anywhere);

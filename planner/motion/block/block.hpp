@@ -37,12 +37,13 @@ struct Turn {
   float curvature = 0.0F;    ///< |κ| of the arc's circle in the plane, 1/mm.
 };
 
-/// Limits of a block that also hold on a part of the neighbouring blocks.
+/// Limits of a block that also hold on a part of the neighbouring blocks, under a time window.
 ///
 /// The motion is the mean of the plan over a window of time T. So the plan must keep the limits of
 /// a position from about v · T / 2 before the position to about v · T / 2 after it.
 struct LimitZone {
-  /// Distance from the end of the block, mm; 0 means that there is no zone.
+  /// Length of the zone, mm, from the joint over which it reaches into a neighbouring block; 0
+  /// means that there is no zone.
   float length = 0.0F;
   float speed_square = 1.0e12F;  ///< Greatest v², mm²/s².
   /// Greatest acceleration for turning and change of speed together, mm/s².
@@ -53,25 +54,25 @@ struct LimitZone {
 
 /// State of the look-ahead's backward pass at one point of the path.
 ///
-/// Under a window T, a motion that speeds up must be able to keep its speed for T before it brakes.
-/// Let X be v² on the braking curve at this point, extended beyond the caps that cut the curve off.
-/// Let a be the steepest braking ahead. Then the motion may speed up to
+/// Under a time window T, a motion that speeds up must be able to keep its speed for T before it
+/// brakes. Let X be v² on the braking curve at this point, extended beyond the caps that cut the
+/// curve off. Let a be the steepest braking ahead. Then the motion may speed up to
 ///   sqrt(X + a² T²) − a T,
-/// because braking by a over the distance v T takes 2 a v T from X.
+/// because a level speed v over T uses the distance v T, over which the curve falls by 2 a v T.
 ///
 /// Up to the speed `kept` the motion may always speed up. The path ahead allows it to keep that
 /// speed until it reaches a point where the condition above is satisfied.
 struct BrakingState {
   /// Greatest v² from which the rest of the path can be driven, mm²/s².
   float speed_square = 0.0F;
-  float commit_square = 0.0F;  ///< X, see above.
-  float steepest = 0.0F;       ///< a, see above, in mm/s².
-  /// Speed that can be kept on the path ahead, see above, mm/s; 0 without a window.
+  float commit_square = 0.0F;  ///< X: v² on the extended braking curve, mm²/s².
+  float steepest = 0.0F;       ///< a: steepest braking on the path ahead, mm/s².
+  /// Speed that the motion can keep on the path ahead, mm/s; 0 without a time window.
   float kept = 0.0F;
   constexpr bool operator==(const BrakingState&) const = default;
 };
 
-/// Zones that reach into a block over one of its ends; at most two.
+/// Limit zones that reach into a block over one of its ends; at most two.
 using BlockZones = std::array<LimitZone, 2>;
 
 /// One line, arc or helix in the planner. The geometry is in steps, because it is used for pulses.
@@ -85,23 +86,25 @@ struct Block {
   AxisArray<StepPosition> normal{};
   Turn turn{};
 
-  AxisArray<float> direction{};  ///< Unit tangent; of an arc, only its part outside the plane.
+  AxisArray<float> direction{};  ///< Unit tangent of a line; on an arc, its part outside the plane.
   float length = 0.0F;           ///< Length of the path, mm.
   float feed = 0.0F;             ///< Programmed speed along the path, mm/s; 0 for a rapid.
   bool from_rest = true;         ///< True if the machine is at rest at the start of the block.
   bool fixed_feed = false;       ///< True if feed and rapid overrides do not change the speed.
   OutputChanges outputs{};       ///< Output changes at the start of the block.
-  /// Greatest acceleration along the path that the axes of constant direction allow, mm/s².
+  /// Greatest acceleration along the path, mm/s², that is allowed by the axes outside the plane of
+  /// an arc or, on a line, by all axes.
   float acceleration = 0.0F;
-  /// Greatest v² that the rates of axes and steps allow, mm²/s². Spans adds the limits of turning.
+  /// Greatest v² that the axis rates and step rates allow, mm²/s². Spans adds the limits of
+  /// turning.
   float speed_limit_square = 0.0F;
   /// The members from here to `tail` are results of the look-ahead. They change when later blocks
   /// are added.
   BrakingState entry{};  ///< State of the backward pass at the start of the block.
   /// Greatest v² at the end of the block if the motion speeds up all the way from the last rest.
   float reachable_square = 1.0e12F;
-  BlockZones head{};  ///< Zones of earlier blocks that reach into this block.
-  BlockZones tail{};  ///< Zones of later blocks that reach into this block.
+  BlockZones head{};  ///< Limit zones of earlier blocks that reach into this block.
+  BlockZones tail{};  ///< Limit zones of later blocks that reach into this block.
 
   BeamCommand beam{};
   RowPart row{};  ///< Part of a row; if row.any(), the pixels of the row set the duty.

@@ -77,8 +77,8 @@ bool leaves_its_chord(float bulge, const Arc& arc) {
   return std::abs(bulge) * arc.end().norm() > 2.0F * kMinSagitta;
 }
 
-/// Returns the limit of v² for the whole block. It follows from the rates of the axes whose
-/// direction is constant, and from the step rate of all motors together.
+/// Returns the limit of v² for the whole block. It follows from the rates of the axes outside the
+/// plane of an arc (on a line, of all axes), and from the step rate of all motors together.
 float speed_limit_square(const Block& block, const Limits& limits) {
   float limit = 1.0e12F;
   float steps_per_mm = 0.0F;
@@ -98,8 +98,8 @@ float speed_limit_square(const Block& block, const Limits& limits) {
   return std::min(limit, square(limits.steps_per_s_all_motors / steps_per_mm));
 }
 
-/// Returns the greatest acceleration along the path, in mm/s², that the axes of constant direction
-/// allow.
+/// Returns the greatest acceleration along the path, in mm/s², that the axes outside the plane of
+/// an arc allow (on a line, all axes).
 float acceleration_limit(const Block& block, const Limits& limits) {
   float most = 1.0e9F;
   for (std::size_t axis = 0; axis < kAxisCount; ++axis) {

@@ -10,7 +10,7 @@
 
 namespace cnc::motion {
 
-/// A part of a row that is driven with one power.
+/// A part of a row (see Pixels) that is driven with one power.
 struct Pixel {
   /// Distance of the pixel's end from the start of the row, at most 100 mm, accurate to 1e-5 mm.
   float end_mm = 0.0F;
@@ -18,8 +18,8 @@ struct Pixel {
   SourceLine line{};
 };
 
-/// The part of a row of pixels that a path element drives. An element with a single power has no
-/// such part.
+/// The part of a row of pixels that a path element drives. A path element with a single power
+/// drives no row.
 struct RowPart {
   std::uint32_t first = 0;  ///< Number of the row's first pixel, see Pixels.
   float from_mm = 0.0F;     ///< Distance of the part's start from the start of the row.
@@ -81,7 +81,7 @@ class Pixels {
     slot_ = slot_of(1);
   }
   /// Marks all pixels before `number` as driven. They are kept.
-  /// @param number of a waiting pixel, or next()
+  /// @param number number of a waiting pixel, or next()
   void drop_before(std::uint32_t number) {
     while (!empty() && static_cast<std::int32_t>(number - first_) > 0) pop();
   }
@@ -115,7 +115,7 @@ class Pixels {
   std::array<Pixel, kStored> pixels_{};
   std::uint32_t first_ = 0;
   std::uint32_t end_ = 0;
-  std::uint32_t slot_ = 0;  ///< Index of the oldest waiting pixel.
+  std::uint32_t slot_ = 0;  ///< Index of the oldest waiting pixel in pixels_.
   std::uint32_t kept_ = 0;  ///< Number of driven pixels before the oldest waiting one.
 };
 

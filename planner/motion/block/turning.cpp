@@ -45,7 +45,7 @@ float Turning::steepest(float acceleration,
   return steepest_within(most, within);
 }
 
-/// Solves α² + (κ / A)² (v² + 2 α A d)² = 1 for α and returns a = α A.
+/// Solves α² + (κ / A)² (v² + 2 α A d)² = 1 for α, with d = `distance`, and returns a = α A.
 float Turning::within_acceleration(float acceleration, float distance, float speed_square) const {
   const float normal = speed_ratio * speed_square;
   const float left = 1.0F - square(normal);
@@ -56,7 +56,8 @@ float Turning::within_acceleration(float acceleration, float distance, float spe
   return acceleration * left / (half + std::sqrt(square(half) + leading * left));
 }
 
-/// Solves (α + r)² + (α q)² = 1 for α and returns a = α A. All jerks are relative to A / T.
+/// Solves (α + r)² + (α q)² = 1 for α, with r = κ² v³ T / A and q = 3 κ v T, and returns a = α A.
+/// The terms are jerks relative to A / T.
 float Turning::within_jerk(float acceleration, float speed_square, float window_s) const {
   const float speed = std::sqrt(speed_square);
   const float r = jerk_ratio * speed * speed_square * window_s;

@@ -8,7 +8,7 @@ namespace cnc::motion {
 /// assumed to be the same in all directions. With curvature κ, speed v and path acceleration a = α
 /// A:
 ///   α² + (v² κ / A)² ≤ 1
-/// and, where jerk is limited to A / T,
+/// and, where a time window T limits jerk to A / T,
 ///   (α / T + v³ κ² / A)² + (3 κ v α)² ≤ 1 / T²,
 /// because jerk is ȧ − κ² v³ along the tangent and 3 κ v a across it. The members are ratios to A,
 /// so that curves with different limits can be combined; see both().
@@ -38,7 +38,9 @@ struct Turning {
                                float window_s,
                                float lag_s = 0.0F) const;
 
-  /// Returns the greatest a that the jerk limit allows at a v² of `speed_square`. @pre window_s > 0
+  /// Returns the greatest a that the jerk limit allows at a v² of `speed_square`.
+  /// @param acceleration A along the path
+  /// @pre window_s > 0
   [[nodiscard]] float within_jerk(float acceleration, float speed_square, float window_s) const;
 
   constexpr bool operator==(const Turning&) const = default;
@@ -49,16 +51,16 @@ struct Turning {
                                           float speed_square) const;
 };
 
-/// Returns the time, in s, for which the speed is assumed to continue growing by a before the
-/// acceleration of the motion ends. The time is at most 0.35 of the window. It is shorter on a path
-/// that turns more.
+/// Returns the time, in s, for which the speed is assumed to continue growing by the acceleration a
+/// before the acceleration of the motion ends. The time is at most 0.35 of the time window T. It is
+/// shorter on a path that turns more.
 ///
 /// The motion is the mean of the plan over the window. Where the plan begins to speed up by a, the
 /// motion has the jerk a / T at first. When the window has passed, its jerk is −a / T. By then the
 /// plan may have sped up further, so the motion is faster by up to a T / 2. Where the plan slows
 /// down, the motion was faster before, by the same amount. But the faster the motion is, the less
-/// acceleration a turning has left to the plan. This effect grows with k = κ A T². With the time
-/// 0.28 k^−¼ T, no simulated motion, over all k, exceeds the limits of Turning.
+/// acceleration turning leaves for the plan. This effect grows with k = κ A T². With the time 0.28
+/// k^−¼ T, no simulated motion, over all k, exceeds the limits of Turning.
 [[nodiscard]] float lag_of(float curvature, float acceleration, float window_s);
 
 /// Returns an a ≤ `most` for which a ≤ within(a). The result is at most the greatest a with this

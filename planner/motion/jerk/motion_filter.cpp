@@ -22,7 +22,8 @@ void MotionFilter::add(const Stretch& stretch) {
   const auto duration_ns = static_cast<std::uint32_t>(stretch.duration_ns);
   CNC_ASSERT(duration_ns <= room_ns());
   const float sum = stretch.start_speed + stretch.end_speed;
-  // Mean distance within a stretch of constant acceleration, as a share of the stretch's distance.
+  // Mean over time of the distance driven since the start of the stretch, as a share of the whole
+  // distance of the stretch. Its acceleration is constant.
   const float mean =
       sum > 0.0F ? (2.0F * stretch.start_speed + stretch.end_speed) / (3.0F * sum) : 0.5F;
   const float way = to_mm(place_ - from_) + mean * to_mm(stretch.way);
@@ -52,8 +53,8 @@ Stretch MotionFilter::take() {
                  .duration_ns = window_way > 0 ? window_.cell_ns : last_ns,
                  .start_speed = speed_,
                  .end_speed = to_mm(window_way) / seconds};
-  // Computed from the distances of the plan in the newest and in the oldest cell, because the
-  // difference of two nearly equal speeds has no exact digits.
+  // Computed from the difference between the plan's distances in the newest and in the oldest cell,
+  // because the difference of two nearly equal speeds has no exact digits.
   motion.acceleration = window_way > 0
                             ? to_mm(window_way - window_way_) / (seconds * window_.cell_seconds())
                             : -speed_ / (static_cast<float>(last_ns) * 1.0e-9F);
@@ -68,8 +69,9 @@ Stretch MotionFilter::take() {
   return motion;
 }
 
-/// Returns the distance in units that the motion drives in the cell. The position of the motion is
-/// the mean position over all cells, so it grows by (newest mean − oldest mean) / number of cells.
+/// Returns the distance, in path units, that the motion drives in the cell. The position of the
+/// motion is the mean position over all cells. So it grows by (newest mean − oldest mean) / number
+/// of cells.
 PathUnits MotionFilter::next_way(const Cell& newest, const Cell& oldest) {
   const PathUnits sum = remainder_ + (newest.mean - oldest.mean);
   const PathUnits way = sum / static_cast<PathUnits>(window_.cells);

@@ -11,10 +11,10 @@ namespace cnc::motion {
 /// Makes the motion from the plan. The position of the motion is the mean of the plan's position
 /// over the window of time that ends now.
 ///
-/// Time is divided into cells. The plan is added stretch by stretch until a cell is full. Then the
-/// motion in the time of that cell can be taken. Means are exact integers, so the motion ends
-/// exactly where the plan ends. Speeds and accelerations are those of the exact mean at the
-/// boundaries of cells.
+/// Time is divided into cells of equal duration, see TimeWindow. The plan is added stretch by
+/// stretch until a cell is full. Then the motion in the time of that cell can be taken. Means are
+/// exact integers, so the motion ends exactly where the plan ends. The speed and the acceleration
+/// of the motion are those of the exact mean at the boundaries of cells.
 class MotionFilter {
  public:
   /// Begins a motion from rest with the given window. @pre window.filters()
@@ -24,7 +24,7 @@ class MotionFilter {
   [[nodiscard]] std::uint32_t room_ns() const { return window_.cell_ns - used_ns_; }
   /// Adds a stretch of the plan. @pre the duration of the stretch is at most room_ns()
   void add(const Stretch& stretch);
-  /// Fills the rest of the present cell with a plan at rest.
+  /// Fills the rest of the present cell as if the plan were at rest.
   void rest();
 
   /// Returns the motion within the cell that was just filled. It is shorter than the cell if the
@@ -50,16 +50,16 @@ class MotionFilter {
   std::uint32_t oldest_ = 0;
 
   // Values of the plan in the cell that is being filled.
-  PathUnits from_ = 0;  ///< Position at the start of the cell.
+  PathUnits from_ = 0;  ///< Position of the plan at the start of the cell.
   PathUnits place_ = 0;
-  /// Mean distance of the plan from from_ in the filled part of the cell, mm, times the share of
-  /// this part in the cell.
+  /// Mean distance of the plan from from_ over the filled part of the cell, in mm, multiplied by
+  /// the share of the cell that is filled.
   float mean_way_ = 0.0F;
   std::uint32_t used_ns_ = 0;
   std::uint32_t moved_ns_ = 0;
 
   // Values of the motion.
-  PathUnits remainder_ = 0;   ///< Remainder of the division by the number of cells.
+  PathUnits remainder_ = 0;   ///< Remainder of the division by the number of cells in next_way().
   PathUnits window_way_ = 0;  ///< Distance that the plan drives within the window.
   float speed_ = 0.0F;        ///< Speed of the motion, mm/s.
 };

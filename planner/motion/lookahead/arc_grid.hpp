@@ -7,8 +7,9 @@
 
 namespace cnc::motion {
 
-/// Boundaries of the spans of an arc. They are either at equal distances, or where the angle of the
-/// tangent is a multiple of 3.75° / split, with an integer split. A line is a single span.
+/// Boundaries of the spans into which an arc is divided. They are either at equal distances, or
+/// where the angle of the tangent is a multiple of 3.75° / split. The split is an integer: the
+/// number of spans per 3.75°. A line is a single span.
 ///
 /// Quarter turns are among the multiples, so in a coordinate plane no axis reverses within a span.
 class ArcGrid {
@@ -24,8 +25,8 @@ class ArcGrid {
   [[nodiscard]] static ArcGrid at_multiples(const ArcShape& arc, int split);
   /// Divides an arc into equal spans of at most kAngle. @pre arc.turns()
   [[nodiscard]] static ArcGrid of_equal_spans(const ArcShape& arc);
-  /// Returns the greatest split, at most 16, with which each span takes at least 0.7 ms and the arc
-  /// has at most kMaxFineSpans spans.
+  /// Returns the greatest split for at_multiples(), at most 16, with which each span takes at least
+  /// 0.7 ms and the arc has at most kMaxFineSpans spans.
   /// @param seconds shortest time in which the arc can be driven
   [[nodiscard]] static int finest_split(const ArcShape& arc, float seconds);
 
@@ -50,7 +51,7 @@ class ArcGrid {
  private:
   int count_ = 1;
   float spacing_ = kAngle;    ///< Angle between two boundaries, kAngle / split, in radians.
-  int first_multiple_ = 0;    ///< The multiple of the spacing at boundary 1.
+  int first_multiple_ = 0;    ///< Angle at boundary 1 as a multiple of spacing_.
   bool fine_ = false;         ///< True if the split is above 1.
   bool equal_spans_ = false;  ///< If true, first_multiple_ is unused.
 };

@@ -13,9 +13,10 @@ namespace {
 /// window.
 ///
 /// Between two such positions, the acceleration f of an axis can rise by at most (angle)² / 8 ·
-/// |f″|. |f″| is at most 5 times the limit: differentiate t·a + t′·v² twice by the angle, with v²
-/// linear in the angle. For 3.75° that is 0.27 %. At least a thousandth is left for rounding and
-/// for measurements by steps.
+/// |f″|. |f″| is at most 5 times the limit. This follows from f = t·a + t′·v², where t is the share
+/// of the axis in the tangent, differentiated twice by the angle, with v² linear in the angle. For
+/// 3.75° the rise is 0.27 %. At least a thousandth is left for rounding and for measurements by
+/// steps.
 float margin_for(float angle) {
   constexpr float kRounding = 2.0e-4F;
   constexpr float kMin = 1.0e-3F;
@@ -43,7 +44,7 @@ ArcLimits::ArcLimits(const Block& block,
 }
 
 /// Limits the speed so that the axes can turn at this speed in any direction. Sets reach_ to the
-/// angle that the window spans at the speed before kTurningShare lowers it.
+/// angle over which the time window reaches at the speed before kTurningShare lowers it.
 void ArcLimits::limit_speed(const ArcShape& arc, const TimeWindow& window) {
   /// Share of the v² at which turning would use all acceleration. At this share, a third of the
   /// acceleration is left for slowing down after a lower override or a feed hold.
@@ -58,10 +59,10 @@ void ArcLimits::limit_speed(const ArcShape& arc, const TimeWindow& window) {
 
 /// Divides the acceleration between turning and the change of speed.
 ///
-/// On an arc with few directions, more acceleration is possible than the least of the axes' limits.
-/// The acceleration that turning requires is compared with the limits along all normals of the arc.
-/// The rest of each axis's limit is compared along all tangents. A tangential acceleration a and a
-/// normal acceleration b are possible if, for each axis i with the limit A_i,
+/// On an arc whose tangents have few directions, more acceleration is possible than the least of
+/// the axes' limits. The acceleration that turning requires is compared with the limits along all
+/// normals of the arc. The rest of each axis's limit is compared along all tangents. A tangential
+/// acceleration a and a normal acceleration b are possible if, for each axis i with the limit A_i,
 ///   (T_i a)² + (N_i b)² ≤ A_i²,
 /// where T_i and N_i are the axis's greatest shares in the tangents and in the normals.
 void ArcLimits::divide_between_turning_and_speed(const ArcShape& arc,
@@ -70,7 +71,7 @@ void ArcLimits::divide_between_turning_and_speed(const ArcShape& arc,
                                                  float window_s) {
   constexpr float kWorthIt = 1.01F;
   /// Turning gets this multiple of the acceleration that it requires on the arc. A lower multiple
-  /// leaves little for speeding up.
+  /// leaves little acceleration for speeding up.
   constexpr float kRoom = 2.0F;
   const DirectionRange directions{arc.start_angle(), arc.end_angle()};
   const float margin = plane_acceleration_ / any_direction;
@@ -105,8 +106,8 @@ Turning ArcLimits::turning_along_path(const ArcShape& arc) const {
 }
 
 float ArcLimits::shortest_time(const ArcShape& arc, float length) const {
-  // A bound for any speed at which the arc may be driven: in the best case, a single axis provides
-  // all of the acceleration for turning.
+  // Upper bound of the v² with which the arc may be driven: in the best case, a single axis
+  // provides all of the acceleration for turning.
   const float turned =
       axes_.greatest_acceleration() / (arc.curvature() * square(arc.plane_share()));
   return length / std::sqrt(std::min(speed_square_, turned));

@@ -8,24 +8,24 @@
 namespace cnc::motion {
 
 /// Limits of a whole arc, and of the axes in its plane. The limits of each span are derived from
-/// them: by DirectionLimits if the window spans few directions, otherwise by ManyDirectionLimits.
+/// them: by DirectionLimits if the directions of travel within the time window differ little,
+/// otherwise by ManyDirectionLimits.
 class ArcLimits {
  public:
   ArcLimits() = default;
-  /// @param line limits of the same block from the axes of constant direction; they hold on the
-  /// arc, too
+  /// @param line limits from the axes outside the arc's plane; they hold on the arc, too
   ArcLimits(const Block& block, const ArcShape& arc, const Limits& limits, const LineLimits& line);
-  /// Reduces the acceleration of each axis by a margin, because limits are evaluated only at some
-  /// positions.
+  /// Reduces the acceleration limit of each axis by a margin, because limits are evaluated only at
+  /// some positions.
   /// @param spacing angle between the boundaries of spans, in radians
   void leave_margin(float spacing);
 
   [[nodiscard]] const ArcAxes& axes() const { return axes_; }
-  /// Returns the angle of the arc, in radians, that the window spans to either side of a position;
-  /// 0 without a window.
+  /// Returns the angle of the arc, in radians, over which the time window reaches to either side of
+  /// a position; 0 without a window.
   [[nodiscard]] float reach() const { return reach_; }
-  /// Checks whether the window spans so many directions that the limits are computed for all of
-  /// them together.
+  /// Checks whether the time window covers so many directions of travel that the limits are
+  /// computed for all of them together.
   [[nodiscard]] bool many_directions() const { return reach_ > kFarReach; }
   /// Returns the division of the acceleration within the plane between turning and the change of
   /// speed.
@@ -51,8 +51,9 @@ class ArcLimits {
                                    bool turning_limits) const;
 
  private:
-  /// Greatest angle, in radians, that the window may span to either side for the limits to depend
-  /// on single directions.
+  /// Greatest reach(), in radians, with which the limits are computed for each direction
+  /// separately. If the reach is greater, they are computed together for all directions that the
+  /// time window covers.
   static constexpr float kFarReach = kTwoPi / 48.0F;
 
   void limit_speed(const ArcShape& arc, const TimeWindow& window);

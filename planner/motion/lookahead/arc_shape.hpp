@@ -9,8 +9,8 @@ namespace cnc::motion {
 
 /// The direction of travel in the plane of an arc, which identifies a position on the arc for the
 /// acceleration limits. With path speed v and path acceleration a, axis i has the acceleration
-/// tangent_i · a + bend_i · v², where bend_i is d tangent_i / d path length. On a line, a Place has
-/// no meaning.
+/// tangent_i · a + bend_i · v². Here tangent_i is the axis's component of the unit tangent, and
+/// bend_i is d tangent_i / d path length. On a line, a Place has no meaning.
 using Place = SinCos;
 
 /// The shape of an arc, as the acceleration limits use it: the angle of the tangent in the arc's

@@ -70,8 +70,8 @@ float max_square(const Spans& spans, const Block& block, const PlanTerms& terms)
   return most;
 }
 
-/// Returns the zone that a block imposes on the blocks before and after it. The zone's speed is the
-/// lowest speed limit on the block. Its length follows from the greatest one.
+/// Returns the limit zone that a block imposes on the blocks before and after it. The zone's speed
+/// is the lowest speed limit on the block. Its length follows from the greatest speed on the block.
 LimitZone zone_of(const Spans& spans, const Block& block, const PlanTerms& terms) {
   const SpeedCap cap{block, terms.overrides};
   float least = LimitZone{}.speed_square;
@@ -98,9 +98,9 @@ float reachable_after(Block& block,
   return std::min(most, max_square(spans, block, terms));
 }
 
-/// Sets `block.tail` to the zones that later blocks impose on `block`, and adds the zone of `block`
-/// to `ahead`. Returns whether the tail is unchanged and no zone of later blocks reaches beyond
-/// `block`.
+/// Sets `block.tail` to the limit zones that later blocks impose on `block`, and adds the zone of
+/// `block` to `ahead`. Returns whether the tail is unchanged and no zone of later blocks reaches
+/// beyond `block`.
 bool lay_tail(ZoneTrail& ahead, Block& block, const Limits& limits, const PlanTerms& terms) {
   const Spans spans{block, limits, terms.window};
   const LimitZone own = zone_of(spans, block, terms);
@@ -127,13 +127,12 @@ void BlockQueue::stop_before_newest() {
   forget_plan();
 }
 
-/// Sets the heads and the reachable speeds of the blocks before index `end` that are not planned
-/// yet.
+/// Sets `head` and `reachable_square` of the blocks before index `end` that are not planned yet.
 void BlockQueue::lay_heads(const Limits& limits, const PlanTerms& terms, std::size_t end) {
   if (!terms.window.filters()) return;
   if (unplanned_ == size()) {
-    // front_trail_ itself stays unchanged. So if new terms are refused, planning under the old
-    // terms gives the old plan again.
+    // front_trail_ itself stays unchanged. So if new overrides are refused, planning under the old
+    // ones gives the old plan again.
     trail_ = front_trail_;
     reachable_square_ = left_square_;
   }
@@ -169,7 +168,7 @@ BrakingState entry_for(const Block& block,
     return {.speed_square = brake_over_line(block, cap, exit.speed_square)};
   }
   const Spans spans{block, limits, terms.window};
-  // Cost relative to a line without a time window.
+  // Cost of planning a span here, relative to planning a line without a time window.
   constexpr std::uint32_t kCostOfSpan = 2;
   looked_at += kCostOfSpan * static_cast<std::uint32_t>(spans.count());
   return brake_backwards(spans, cap, exit);
@@ -184,9 +183,10 @@ void BlockQueue::plan(const Limits& limits, const PlanTerms& terms, std::size_t 
 
 namespace {
 
-/// Returns whether a block may keep its entry `before`: it equals the new entry `now` or, without a
-/// window, it is only a little lower. The tolerance ends the backward pass on arcs that are driven
-/// at their limit, where the effect of later blocks decreases but never becomes zero.
+/// Returns whether a block may keep its entry state `before`: this equals the new entry state `now`
+/// or, without a time window, has only a slightly lower v². The tolerance ends the backward pass on
+/// arcs that are driven at their limit, where the effect of later blocks decreases but never
+/// becomes zero.
 bool as_good(const BrakingState& before, const BrakingState& now, const TimeWindow& window) {
   constexpr float kNegligible = 1.0F + 5.0e-5F;
   if (before == now) return true;
@@ -218,8 +218,8 @@ void BlockQueue::plan_chain(const Limits& limits,
 }
 
 // Plans backwards from the block before index `end`. Stops at a block that was planned before if
-// its new entry equals the old one: then the entries of all older blocks would stay equal, too.
-// Continues all the same if a changed zone reaches beyond that block.
+// its new entry equals the old one: then the entries of all older blocks would stay equal, too. But
+// continues if the limit zones that reach into that block, or beyond it, have changed.
 void BlockQueue::plan_backwards(const Limits& limits,
                                 const PlanTerms& terms,
                                 std::size_t lead,

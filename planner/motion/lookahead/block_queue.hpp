@@ -63,11 +63,11 @@ class BlockQueue : protected BlockRing {
   /// driven blocks. @pre !empty()
   void begin_at(const AxisArray<StepPosition>& place, const Block& front);
 
-  /// Prepares for the removal of the oldest block: keeps its zone, which still holds in the blocks
-  /// after it. @pre !empty()
+  /// Prepares for the removal of the oldest block: keeps its limit zone, which still holds in the
+  /// blocks after it. @pre !empty()
   void leave_front(const Limits& limits, const PlanTerms& terms);
-  /// Forgets the zones of removed blocks, because the machine is at rest and the window never spans
-  /// a stop.
+  /// Forgets the limit zones of removed blocks, because the machine is at rest and the time window
+  /// never spans a stop.
   void stand();
   /// Forgets all blocks. The machine is at rest at `place`.
   void clear(const AxisArray<StepPosition>& place = {});
@@ -78,12 +78,12 @@ class BlockQueue : protected BlockRing {
   void plan(const Limits& limits, const PlanTerms& terms, std::size_t lead = 0);
   /// Updates the entry speeds of all blocks after index `lead`.
   void plan_all(const Limits& limits, const PlanTerms& terms, std::size_t lead = 0);
-  /// Plans only the blocks from index `lead` to index `end` − 1, at whose end the path stops. So
-  /// the caller can evaluate this plan. The next plan must include all blocks again.
+  /// Plans only the blocks from index `lead` to index `end` − 1, as if the path stopped after them,
+  /// so that the caller can evaluate this plan. The next plan must include all blocks again.
   /// @pre forget_plan() was called after the last plan of all blocks; end ≤ size()
   void plan_chain(const Limits& limits, const PlanTerms& terms, std::size_t lead, std::size_t end);
   /// Returns the running count of spans that plans have evaluated (wraps). A span of an arc counts
-  /// twice, and so does every span under a window. The caller budgets planning time with this
+  /// twice, and so does every span under a time window. The caller budgets planning time with this
   /// count.
   [[nodiscard]] std::uint32_t looked_at() const { return looked_at_; }
   /// Makes the next plan include all blocks, because no further block will come for some time.
@@ -138,8 +138,8 @@ class BlockQueue : protected BlockRing {
   std::uint32_t looked_at_ = 0;
 
   // Zones that blocks impose on later blocks, and the speeds that belong to them.
-  ZoneTrail trail_{};        ///< Zones of the blocks whose heads are set.
-  ZoneTrail front_trail_{};  ///< Zones of the removed blocks.
+  ZoneTrail trail_{};        ///< Limit zones of the blocks whose heads are set.
+  ZoneTrail front_trail_{};  ///< Limit zones of the removed blocks.
   /// Greatest v² at the end of the newest block whose head is set.
   float reachable_square_ = 0.0F;
   float left_square_ = 0.0F;  ///< Greatest v² at the end of the block that was removed last.

@@ -9,12 +9,14 @@
 
 namespace cnc::motion {
 
-/// A gain of v² below this share of v² counts as rounding. So does a level stretch below this share
-/// of the distance.
+/// Greatest share that counts as rounding: of v² for a gain of v², and of the distance for a phase
+/// at level speed.
 inline constexpr float kNegligibleShare = 1.0e-5F;
 
-/// Returns the greatest speed, in mm/s, up to which the motion may speed up; see BrakingState.
+/// Returns the speed, in mm/s, up to which the motion may speed up, because it can then keep this
+/// speed for the time window before it brakes; see BrakingState.
 /// @param commit_square, steepest X and a of BrakingState
+/// @param window_s length T of the time window in s
 [[nodiscard]] inline float commit_speed(float commit_square, float steepest, float window_s) {
   const float lead = steepest * window_s;
   // Computed as X / (sqrt(X + lead²) + lead), because the difference would lose digits.
@@ -29,19 +31,18 @@ struct BrakingPoint {
   float cap_square = 0.0F;    ///< Greatest v² within the span, with feed and overrides.
   float steepest = 0.0F;      ///< Greatest braking deceleration in the span and after it, mm/s².
 
-  /// Returns X of BrakingState at the position `left` mm before the end of the span.
+  /// Returns X of BrakingState, in mm²/s², at the position `left` mm before the end of the span.
   [[nodiscard]] float commit_square(float left) const {
     if (cap_square <= end.speed_square) return end.commit_square + 2.0F * steepest * left;
     const float slope = end.speed_square + 2.0F * deceleration * left;
     if (slope <= cap_square || deceleration <= 0.0F) return slope;
     return cap_square + (slope - cap_square) * (steepest / deceleration);
   }
-  /// Returns the greatest speed, in mm/s, with which all limits ahead can be kept from the position
-  /// `left` mm before the end of the span. Braking begins only after another `wait_s` at this
-  /// speed.
+  /// Returns the greatest speed, in mm/s, with which all limits ahead can be kept if braking begins
+  /// only after `wait_s` seconds at this speed. The motion is `left` mm before the end of the span.
   [[nodiscard]] float committed(float left, float wait_s) const {
     // Lowers the result by the rounding error of a speed. With v / a = 2 s, the last digit of v
-    // corresponds to 0.2 µs of the wait.
+    // corresponds to 0.2 µs of `wait_s`.
     constexpr float kSurely = 1.0F - 4.8e-7F;
     const float braked = kSurely * commit_speed(commit_square(left), steepest, wait_s);
     return std::max(braked, std::min(end.kept, std::sqrt(cap_square)));
@@ -100,8 +101,8 @@ BrakingState brake_backwards(const Spans& spans,
   return state;
 }
 
-/// Returns the greatest v² at the start of a straight block without zones of neighbours. Most
-/// blocks are of this kind.
+/// Returns the greatest v² at the start of a straight block into which no limit zones of
+/// neighbouring blocks reach. Most blocks are of this kind.
 [[nodiscard]] inline float brake_over_line(const Block& block,
                                            const SpeedCap& cap,
                                            float exit_square) {

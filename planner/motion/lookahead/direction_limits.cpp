@@ -32,8 +32,8 @@ float DirectionLimits::at(const Place& place, Speeds speeds, float most) const {
   return most;
 }
 
-/// The jerk of an axis is at most t (a / T + κ² v³) + n 3 κ v a, where t and n are the shares of
-/// the axis in the tangent and in the normal.
+/// The jerk of an axis is at most t (a / T + κ² v³) + n 3 κ v a, where T is the time window, and t
+/// and n are the shares of the axis in the tangent and in the normal.
 float DirectionLimits::within_jerk(const DirectionRange& directions,
                                    float most,
                                    float window_s) const {
@@ -54,8 +54,8 @@ float DirectionLimits::within_jerk_at(float speed,
                                       const AxisArray<AxisShares>& shares,
                                       float most,
                                       float window_s) const {
-  // Jerk is multiplied by T: the limit of the acceleration is A = J T, so A limits jerk in this
-  // unit, too.
+  // Jerks are multiplied by the time window T. In this unit, the jerk limit J T equals the
+  // acceleration limit A.
   const float along = arc_.curvature() * bend_ * speed * square(speed) * window_s;
   const float across = 3.0F * bend_ * speed * window_s;
   const ArcAxes& axes = limits_.axes();

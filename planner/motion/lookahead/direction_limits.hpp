@@ -5,9 +5,9 @@
 
 namespace cnc::motion {
 
-/// Limits of a change of speed on a span of an arc where the window spans few directions. Each axis
-/// is limited by its own shares of the tangent and of the normal. The object refers to its
-/// arguments, which must outlive it.
+/// Limits of a change of speed on a span of an arc, if the directions of travel within the time
+/// window differ little. Each axis is limited by its own shares of the tangent and of the normal.
+/// The object refers to its arguments, which must outlive it.
 class DirectionLimits {
  public:
   DirectionLimits(const ArcShape& arc, const ArcLimits& limits, const SpeedChange& change)
@@ -31,7 +31,7 @@ class DirectionLimits {
   }
   /// Returns the greatest acceleration ≤ `most` mm/s² with which no axis exceeds its jerk limit in
   /// `directions`.
-  /// @param window_s length of the window in s, above 0
+  /// @param window_s length of the time window in s, above 0
   [[nodiscard]] float within_jerk(const DirectionRange& directions,
                                   float most,
                                   float window_s) const;
@@ -48,7 +48,7 @@ class DirectionLimits {
   const ArcShape& arc_;
   const ArcLimits& limits_;
   const SpeedChange& change_;
-  float bend_;  ///< Bend of an axis whose share in the normal is 1, see Place, 1/mm.
+  float bend_;  ///< Bend (see Place) of an axis whose share in the normal is 1, 1/mm.
   float sign_;  ///< 1 for speeding up, −1 for slowing down.
   /// Twice the distance of the change along the path, mm; negative if the travel is backward.
   float twice_along_;

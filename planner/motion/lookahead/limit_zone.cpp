@@ -14,7 +14,7 @@ bool is_within(const LimitZone& zone, const LimitZone& other) {
          both(zone.turning, other.turning) == other.turning;
 }
 
-/// Returns a zone with the stricter limits of both zones and the length of the longer one.
+/// Returns a limit zone with the stricter limits of both zones and the length of the longer one.
 LimitZone both(const LimitZone& a, const LimitZone& b) {
   return {.length = std::max(a.length, b.length),
           .speed_square = std::min(a.speed_square, b.speed_square),
@@ -27,15 +27,15 @@ bool binds(const LimitZone& zone, const LimitZone& own) {
          zone.turning.curvature > 0.0F;
 }
 
-/// Returns the time per distance that the limits of a zone cost, in s/mm. It is the sum of 1 / v
-/// for two speeds: the speed of the zone, and the speed at which turning uses all acceleration.
-/// Overrides do not change the second speed.
+/// Returns the time per distance that the limits of a limit zone cost, in s/mm. It is the sum of
+/// two values of 1/v: at the speed of the zone, and at the speed at which turning uses all
+/// acceleration. Overrides do not change the second speed.
 float pace_within(const LimitZone& zone) {
   return 1.0F / std::sqrt(zone.speed_square) + std::sqrt(zone.turning.speed_ratio);
 }
 
 /// Returns the time in s that is lost if the limits of the shorter zone also hold over the length
-/// of the longer one.
+/// of the longer zone.
 float price_of_both(const LimitZone& a, const LimitZone& b) {
   const LimitZone& longer = a.length < b.length ? b : a;
   return std::abs(a.length - b.length) * (pace_within(both(a, b)) - pace_within(longer));
@@ -55,8 +55,8 @@ void ZoneTrail::add(const LimitZone& zone) {
   if (count_ > kCapacity) merge_cheapest();
 }
 
-/// Merges the two zones for which merging costs the least time. The result is at least as strict as
-/// each of them everywhere.
+/// Merges the two limit zones for which merging costs the least time. The result is at least as
+/// strict as each of them everywhere.
 void ZoneTrail::merge_cheapest() {
   std::size_t first = 0;
   std::size_t second = 1;
@@ -75,9 +75,9 @@ void ZoneTrail::merge_cheapest() {
   remove(second);
 }
 
-/// When the plan has been beyond a position for the whole window, no part of the mean is before
-/// that position, even if the distance is short. If the plan keeps its speed, half of the window is
-/// enough.
+/// A limit zone also ends by time. When the plan has been beyond a position for the whole time
+/// window, the mean of the plan contains no position before it, even if the plan has driven only a
+/// short distance. If the plan keeps its speed, half of the window is enough.
 void ZoneTrail::advance(float length, float reach) {
   const float window_share = reach > 0.0F ? 0.5F * length / reach : 0.0F;
   for (std::size_t i = count_; i-- > 0;) {

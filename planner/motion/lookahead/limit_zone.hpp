@@ -7,19 +7,20 @@
 
 namespace cnc::motion {
 
-/// Collects the zones of blocks while a pass moves along the path.
+/// Collects the limit zones of blocks while a pass of the look-ahead moves along the path.
 class ZoneTrail {
  public:
   void clear() { count_ = 0; }
   [[nodiscard]] bool empty() const { return count_ == 0; }
-  /// Adds the zone of a block. To be called when the pass reaches the end of the block, where the
-  /// zone begins.
+  /// Adds the limit zone of a block. To be called when the pass leaves the block, where the zone
+  /// begins.
   void add(const LimitZone& zone);
-  /// Moves on by `length` mm: shortens all zones, and removes those that have ended. Where the plan
-  /// is slow, a zone ends after the time of a window even if its length is not used up.
-  /// @param reach distance of half a window, in mm, at the greatest speed on this length
+  /// Moves on by `length` mm: shortens all limit zones, and removes those that have ended. Where
+  /// the plan is slow, a zone ends after the length of the time window even if the plan has not
+  /// passed the zone's length.
+  /// @param reach distance of half a window, in mm, at the greatest speed on these `length` mm
   void advance(float length, float reach);
-  /// Returns the zones that restrict the next block, whose own limits are `own`.
+  /// Returns the limit zones that restrict the next block, whose own limits are `own`.
   [[nodiscard]] BlockZones reaching(const LimitZone& own) const;
 
  private:

@@ -33,10 +33,10 @@ float ManyDirectionLimits::steepest(float most) const {
 /// Checks whether the box contains the acceleration and the jerk of the motion if the plan has the
 /// acceleration `steep` along the path.
 ///
-/// Somewhere within the window, an acceleration a of the plan gives the motion the acceleration a
-/// along the tangent and κ v² across it. The jerk along the tangent is first a / T − κ² v³ and then
-/// −a / T − κ² v³. The jerk across the tangent is up to 3 κ v a. All jerks are multiplied by T,
-/// because the limits of acceleration are J T and so limit jerk, too.
+/// Somewhere within the time window T, an acceleration a of the plan gives the motion the
+/// acceleration a along the tangent and κ v² across it. The jerk along the tangent is first a / T −
+/// κ² v³ and then −a / T − κ² v³. The jerk across the tangent is up to 3 κ v a. All jerks are
+/// multiplied by T. In this unit, the jerk limit J T equals the acceleration limit.
 bool ManyDirectionLimits::holds(float steep) const {
   const float curvature = arc_.curvature();
   const float sign = static_cast<float>(change_.change);

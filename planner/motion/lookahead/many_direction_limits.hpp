@@ -6,13 +6,14 @@
 
 namespace cnc::motion {
 
-/// Limits of a change of speed on an arc where the window spans many directions. The vectors of
-/// acceleration and jerk along and across the path must be in the box of these directions. The
-/// object refers to its arguments, which must outlive it.
+/// Limits of a change of speed on an arc, if the directions of travel within the time window differ
+/// much. For all these directions, the vectors of acceleration and jerk must be in the
+/// DirectionBox. The object refers to its arguments, which must outlive it.
 class ManyDirectionLimits {
  public:
-  /// @param box the box for all directions that the window spans around the span
-  /// @param window_s length of the window in s, above 0
+  /// @param box the accelerations that are allowed in all directions within the window's reach of
+  /// the span
+  /// @param window_s length of the time window in s, above 0
   ManyDirectionLimits(const ArcShape& arc,
                       const ArcLimits& limits,
                       const DirectionBox& box,

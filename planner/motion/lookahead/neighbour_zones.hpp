@@ -5,10 +5,10 @@
 
 namespace cnc::motion {
 
-/// Zones of neighbouring blocks that reach into a block, under a time window.
+/// Limit zones of neighbouring blocks that reach into a block, under a time window.
 class NeighbourZones {
  public:
-  /// Copies the zones that reach into a block.
+  /// Copies the limit zones that reach into a block.
   void take(const Block& block) {
     head_ = block.head;
     tail_ = block.tail;
@@ -16,7 +16,7 @@ class NeighbourZones {
 
   [[nodiscard]] const BlockZones& head() const { return head_; }
   [[nodiscard]] const BlockZones& tail() const { return tail_; }
-  /// Returns the limits of all zones together between two positions of the block.
+  /// Returns the limits of all limit zones together between two positions of the block.
   /// @param from, to distances of these positions from the start of the block, mm
   /// @param length length of the block, mm
   [[nodiscard]] LimitZone between(float from, float to, float length) const;
@@ -26,8 +26,8 @@ class NeighbourZones {
   BlockZones tail_{};
 };
 
-/// Returns the greatest acceleration ≤ `most` mm/s² that a zone allows for a change of speed.
-/// @param window_s length of the window in s, above 0
+/// Returns the greatest acceleration ≤ `most` mm/s² that a limit zone allows for a change of speed.
+/// @param window_s length of the time window in s, above 0
 [[nodiscard]] float steepest_in(const LimitZone& zone,
                                 float most,
                                 const SpeedChange& change,

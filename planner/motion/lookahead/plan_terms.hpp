@@ -7,11 +7,12 @@
 
 namespace cnc::motion {
 
-/// Conditions of a plan other than the limits of the machine and the path.
+/// Conditions of a plan other than the limits of the machine and the path: overrides and time
+/// window.
 struct PlanTerms {
   Overrides overrides{};
-  /// Greatest overrides since the last rest. The lengths of zones follow from these overrides,
-  /// because a block may still be left with the speed that they allowed.
+  /// Greatest overrides since the last rest. The lengths of limit zones follow from these
+  /// overrides, because a block may still be left with the speed that they allowed.
   Overrides greatest{};
   TimeWindow window{};
 };

@@ -7,7 +7,7 @@
 namespace cnc::motion {
 
 /// The positions where the spans of a block begin and end. These are the boundaries of the arc's
-/// grid and the edges of zones.
+/// grid (ArcGrid) and the edges of limit zones (ZoneEdges).
 class SpanBoundaries {
  public:
   SpanBoundaries() = default;
@@ -20,7 +20,7 @@ class SpanBoundaries {
     grid_ = grid;
     count_ = grid.count();
   }
-  /// Divides the block at the edges of zones, too. @pre cut_at_zones() was not called
+  /// Divides the block at the edges of limit zones, too. @pre cut_at_zones() was not called
   void cut_at_zones(const BlockZones& head, const BlockZones& tail);
 
   [[nodiscard]] const ArcShape& arc() const { return arc_; }

@@ -13,10 +13,11 @@ namespace cnc::motion {
 /// Divides a block into spans on which one acceleration can hold (see SpanBoundaries), and computes
 /// the limits of each span. Only the limits are divided; the path stays one arc.
 ///
-/// Under a time window, the limits of a position also hold at some distance before and after it. On
-/// an arc, this distance ends at the ends of the arc; in the neighbouring blocks, the limits hold
-/// as zones. If the window spans more than 7.5° to either side, the arc has equal spans of at most
-/// 3.75°. Then each span keeps the limits of all directions that the window may span around it.
+/// Under a time window, the limits of a position also hold at some distance before and after it
+/// (the reach of the window). On an arc, this distance ends at the ends of the arc. In the
+/// neighbouring blocks, the limits hold as limit zones. If the reach is more than 7.5° of the arc,
+/// the arc has equal spans of at most 3.75°. Then each span keeps the limits of all directions
+/// within the reach.
 class Spans {
  public:
   static constexpr int kGridPerTurn = ArcGrid::kPerTurn;
@@ -38,7 +39,7 @@ class Spans {
   [[nodiscard]] int count() const { return boundaries_.count(); }
   /// Checks whether the spans are shorter than those of the usual grid.
   [[nodiscard]] bool fine() const { return boundaries_.grid().fine(); }
-  /// Returns the zones of later blocks that reach into this block.
+  /// Returns the limit zones of later blocks that reach into this block.
   [[nodiscard]] const BlockZones& tail() const { return zones_.tail(); }
   /// Returns the time window in s; 0 without one.
   [[nodiscard]] float window_s() const { return line_.window().seconds(); }
@@ -50,16 +51,18 @@ class Spans {
   [[nodiscard]] float speed_limit_square(int span) const {
     return speed_limit_square(span, place_at_boundary(span), place_at_boundary(span + 1));
   }
-  /// Returns the same limit, for callers that have already computed the places of the span's ends.
-  /// @param from, to places at the start and at the end of the span
+  /// Returns the same limit, for callers that have already computed the directions at the span's
+  /// ends.
+  /// @param from, to directions at the start and at the end of the span
   [[nodiscard]] float speed_limit_square(int span, const Place& from, const Place& to) const;
-  /// Returns the limit of v² from the zones of neighbours, which include the neighbours' feeds.
+  /// Returns the limit of v² from the limit zones of neighbouring blocks, which include their
+  /// feeds.
   [[nodiscard]] float zone_speed_square(int span) const { return zone_on(span).speed_square; }
 
   /// Returns the greatest acceleration along the path anywhere on the block, in mm/s². @pre there
   /// is a time window
   [[nodiscard]] float greatest_acceleration() const;
-  /// Returns the zone that this block imposes on its neighbours.
+  /// Returns the limit zone that this block imposes on its neighbours.
   /// @param cap_square greatest v² on the block and in its zone
   /// @param reachable_square greatest v² with which the block may be left
   [[nodiscard]] LimitZone zone(float cap_square, float reachable_square) const;
@@ -70,8 +73,8 @@ class Spans {
   }
 
   /// Returns the greatest magnitude of acceleration along the path, in mm/s², that may hold from
-  /// `from` to `to`. At both positions, no axis exceeds its acceleration limit (or, under a window,
-  /// its jerk limit). Neither would it at speed 0.
+  /// `from` to `to`. At both positions, no axis exceeds its acceleration limit nor, under a time
+  /// window, its jerk limit. The same is true at speed 0.
   /// @param span the span that contains both positions
   [[nodiscard]] float steepest(int span,
                                const Place& from,

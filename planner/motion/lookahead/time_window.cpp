@@ -13,8 +13,8 @@ namespace {
 constexpr float kShortest = 0.25e-3F;
 constexpr float kLongest = 0.256F;  // Length of the longest window, s.
 /// Least length, in s, of a window that WindowChoice chooses. A shorter window has few cells, and
-/// so a coarse mean. If the greatest A / J of the axes is shorter, the window has that length
-/// instead.
+/// so a coarse mean. If the greatest A / J of the axes (acceleration limit / jerk limit) is
+/// shorter, the window has that length instead.
 constexpr float kShortestChosen = 1.0e-3F;
 constexpr float kLongestCell = 1.0e-3F;
 constexpr float kShortestCell = 0.5e-3F;
@@ -35,7 +35,7 @@ std::uint8_t moving_axes(const Block& block) {
 
 namespace {
 
-/// Returns the greatest A / J of the axes in the bit set `axes`, in s.
+/// Returns the greatest acceleration limit / jerk limit of the axes in the bit set `axes`, in s.
 float longest_rise(const Limits& limits, std::uint8_t axes) {
   float seconds = 0.0F;
   for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
@@ -46,7 +46,7 @@ float longest_rise(const Limits& limits, std::uint8_t axes) {
   return seconds;
 }
 
-/// Divides a window of `wanted_s` into cells. The window is limited to kLongest.
+/// Divides a time window of `wanted_s` into cells. The window is limited to kLongest.
 /// @pre wanted_s ≥ kShortest
 TimeWindow divided(float wanted_s) {
   const float seconds = std::min(wanted_s, kLongest);
@@ -57,7 +57,8 @@ TimeWindow divided(float wanted_s) {
           .cell_ns = static_cast<std::uint32_t>(std::ceil(seconds / cells * 1.0e9F))};
 }
 
-/// Returns the limit along the path of a block, in all directions of an arc.
+/// Returns the limit of acceleration or jerk along the path of a block that follows from the limits
+/// of its axes, in all directions of an arc.
 /// @param of_axes limits of the axes; 0 or less is no limit
 float along_path(const Block& block, const AxisArray<float>& of_axes) {
   constexpr float kNoLimit = 1.0e12F;
@@ -91,7 +92,8 @@ void WindowChoice::add(const Block& block, float length, float speed_square) {
   const float acceleration = along_path(block, limits_.acceleration_mm_s2);
   float rise = std::min(acceleration / jerk, std::sqrt(std::sqrt(speed_square) / jerk));
   const float bend = block.turn.curvature * square(block.turn.plane_share);
-  // On an arc of radius R, v²/R is at most A and v³/R² is at most J. Both limit the speed.
+  // On an arc of radius R, v²/R is at most the acceleration limit, and v³/R² is at most the jerk
+  // limit. Both limit the speed.
   if (bend > 0.0F) {
     const float by_acceleration = std::sqrt(acceleration / bend);
     rise = std::min(
@@ -104,8 +106,8 @@ void WindowChoice::add(const Block& block, float length, float speed_square) {
 TimeWindow WindowChoice::window(float share) const {
   const float longest = longest_rise(limits_, axes_);
   if (longest < kShortest) return {};
-  // Least length, mm, below any step. The remaining path after a halt may be as short as a
-  // hundred-millionth of a millimetre.
+  // Least length, mm, that is assumed; shorter than any step. The remaining path after a halt may
+  // be as short as a hundred-millionth of a millimetre.
   constexpr float kMinLength = 1.0e-4F;
   const float by_length = bounded_cube_root(std::max(length_, kMinLength) / (2.0F * jerk_));
   const float shortest = std::min(kShortestChosen, longest);

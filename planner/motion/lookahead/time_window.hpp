@@ -27,12 +27,12 @@ struct TimeWindow {
   [[nodiscard]] float seconds() const { return static_cast<float>(whole_ns()) * 1.0e-9F; }
   [[nodiscard]] float cell_seconds() const { return static_cast<float>(cell_ns) * 1.0e-9F; }
   /// Returns the distance, in mm, to either side of a position over which the plan must keep the
-  /// position's limits; 0 without a window.
+  /// position's limits; 0 without a time window.
   ///
   /// At constant speed v the distance is v · T / 2. When the plan is this far beyond the position,
   /// one window earlier it was this far before it. So its mean, which is the motion, has just
-  /// reached the position. Two times are added: the cell in which the motion is taken to have one
-  /// acceleration, and half of the cell before.
+  /// reached the position. To T / 2, one and a half cells are added: the cell in which the motion
+  /// is assumed to have constant acceleration, and half of the cell before.
   /// @param speed_square greatest v² over that distance
   [[nodiscard]] float reach(float speed_square) const {
     if (!filters()) return 0.0F;
@@ -44,19 +44,19 @@ struct TimeWindow {
 /// Returns the axes that a block moves, as a set with one bit for each axis.
 [[nodiscard]] std::uint8_t moving_axes(const Block& block);
 
-/// Returns the window that the greatest A / J of the axes in a bit set requires. The window is at
-/// most 256 ms; if A / J is longer, less acceleration than $12x is used. There is no window if A /
-/// J is below 0.25 ms.
+/// Returns the window that the axes in the bit set `axes` require: the greatest A / J of
+/// acceleration limit A and jerk limit J. The window is at most 256 ms; if A / J is longer, less
+/// acceleration than $12x is used. There is no window if A / J is below 0.25 ms.
 [[nodiscard]] TimeWindow window_for(const Limits& limits, std::uint8_t axes);
 
-/// Chooses the window for a chain of blocks from rest to rest.
+/// Chooses the time window for a chain of blocks from rest to rest.
 ///
 /// If a plan does not reach full acceleration, a shorter window T, with an acceleration of at most
-/// J T, makes a faster motion. Speeding up to v takes the ramp v / (J T) and the window T. Their
-/// sum is least if both are equal: T = √(v / J). For a motion over a distance d from rest to rest,
-/// they are equal if 2 J T³ = d. So the window is the least of A / J, √(v / J) and ∛(d / 2J)
-/// (Biagiotti and Melchiorri, Trajectory Planning for Automatic Machines and Robots, 2008, section
-/// 3.4: the cases in which the greatest acceleration is not reached).
+/// J T, makes a faster motion. Here J is the jerk limit. Speeding up to v takes the time v / (J T)
+/// and the window T. Their sum is least if both are equal: T = √(v / J). For a motion over a
+/// distance d from rest to rest, they are equal if 2 J T³ = d. So the window is the least of A / J,
+/// √(v / J) and ∛(d / 2J) (Biagiotti and Melchiorri, Trajectory Planning for Automatic Machines and
+/// Robots, 2008, section 3.4: the cases in which the greatest acceleration is not reached).
 ///
 /// This applies to a single move. In a chain of unlike blocks, slow blocks slow down their
 /// neighbours for the length of the window. So a share of the window may make the motion quicker.
@@ -69,8 +69,8 @@ class WindowChoice {
   /// @param length length of this part, mm
   /// @param speed_square greatest v² on it
   void add(const Block& block, float length, float speed_square);
-  /// Returns the window of the chain.
-  /// @param share share of the window that a single move would have, at most 1
+  /// Returns the time window of the chain.
+  /// @param share length of the window as a share of the window for a single move, at most 1
   /// @pre all blocks of the chain were added
   [[nodiscard]] TimeWindow window(float share = 1.0F) const;
 
@@ -82,9 +82,9 @@ class WindowChoice {
   float jerk_ = 1.0e12F;  ///< Least jerk limit along the path of any block, mm/s³.
 };
 
-/// Returns the acceleration of an axis, in mm/s², that the plan may use under a window. Cells begin
-/// and end at whole path units. So the jerk may be wrong by up to four units / (T · cell²), and the
-/// returned acceleration is lower to compensate for this.
+/// Returns the acceleration of an axis, in mm/s², that the plan may use under a time window T.
+/// Cells begin and end at whole path units. So the jerk may be wrong by up to four units / (T ·
+/// cell²), and the returned acceleration is lower to compensate for this.
 [[nodiscard]] inline float planned_acceleration(const Limits& limits,
                                                 std::size_t axis,
                                                 const TimeWindow& window) {

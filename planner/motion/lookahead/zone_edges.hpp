@@ -8,14 +8,16 @@
 
 namespace cnc::motion {
 
-/// Edges of the zones that reach into a block. Each edge is a boundary between spans, in addition
-/// to the boundaries of the arc's grid. Its distance is stored exactly, because the zone of a block
-/// may be as short as some nanometres.
+/// Edges of the limit zones that reach into a block. Each edge is a boundary between spans, in
+/// addition to the boundaries of the arc's grid. Its distance is stored exactly, because the zone
+/// of a block may be as short as some nanometres.
 class ZoneEdges {
  public:
   static constexpr int kMax = 4;
 
-  /// Adds the edges of all zones. @param length length of the block, mm @pre there are no edges yet
+  /// Adds the edges of all limit zones.
+  /// @param length length of the block, mm
+  /// @pre there are no edges yet
   void add(const BlockZones& head, const BlockZones& tail, float length);
   /// Numbers the edges together with the boundaries of the grid. Removes an edge that is equal to a
   /// boundary of the grid.

@@ -9,8 +9,9 @@ namespace cnc::motion {
 
 /// The play of an axis, and the limits for taking it up.
 ///
-/// The motion that takes up the play is added to the planned motion. So the planner reserves these
-/// shares of the axis's limits for it (`limits_from`). The play is small, so a low speed is enough.
+/// The motion that takes up the play is added to the planned motion. So the planner does not use
+/// these shares of the axis's limits (see `limits_from`). The play is small, so a low speed is
+/// enough.
 struct BacklashSetting {
   static constexpr float kRateShare = 0.05F;
   static constexpr float kAccelerationShare = 0.2F;  ///< Share of the acceleration and of the jerk.

@@ -6,9 +6,9 @@
 
 namespace cnc::motion {
 
-/// Delays the source line of a motion, because the motion goes out a number of cells after it was
-/// planned. line() returns the line of the motion that goes out, or a line that is older by at most
-/// that number of cells.
+/// Delays the source line of a motion, because the motion is output some cells of time after it was
+/// planned. line() returns the line of the motion that is being output, or of a motion that is
+/// older by at most this delay.
 class LineDelay {
  public:
   /// Begins a motion from rest with its source line. @param cells number of cells between planning

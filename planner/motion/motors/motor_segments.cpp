@@ -3,8 +3,9 @@
 namespace cnc::motion {
 namespace {
 
-/// Fills the present cell of the stage. Returns false if neither plan nor motors move. The loop is
-/// bounded, because a slice either fills a part of the cell or, if it takes no time, ends a block.
+/// Fills the present cell of the stage. Returns false if the plan and the motors are both at rest.
+/// The loop is bounded, because a slice either fills a part of the cell or, if it takes no time,
+/// ends a block.
 bool fill_motor_cell(Segmenter& plan, MotorStage& motors) {
   while (motors.room_ns() > 0) {
     PlannedSlice slice;

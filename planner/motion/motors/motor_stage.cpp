@@ -59,8 +59,8 @@ float MotorStage::cell_seconds() const {
   return static_cast<float>(grid_.cell_ticks) / static_cast<float>(kTicksPerSecond);
 }
 
-/// Begins a motion. Fills the first cells with the output at rest, because the motion goes out only
-/// after the delay of the shapers.
+/// Begins a motion. Fills the first cells with the output at rest, because the motion is output
+/// only after the delay of the shapers.
 void MotorStage::begin(const PlannedSlice& slice, const void* owner) {
   at_rest_ = false;
   owner_ = owner;
@@ -110,9 +110,9 @@ void MotorStage::close_cell() {
   comes_to_rest_ = comes_to_rest_ && settled();
 }
 
-/// Computes the motion of a motor in the cell that goes out. The start speed is limited so that the
-/// motor does not reverse within the cell, and so that it can run at the speed at the end of the
-/// cell.
+/// Computes the motion of a motor in the cell that is being output. The start speed is limited so
+/// that the motor does not reverse within the cell, and so that it can run at the speed at the end
+/// of the cell.
 void MotorStage::lay_course(std::size_t axis, StepPosition tool) {
   Course& course = courses_[axis];
   const float before = course.way;

@@ -26,9 +26,9 @@ struct MotorStageSetting {
 /// Positions before and after shaping, in motor steps without backlash.
 struct ShapedCell {
   const AxisArray<StepPosition>& planned;  ///< Planned positions at the end of the newest cell.
-  /// Shaped positions at the end of the cell that goes out.
+  /// Shaped positions at the end of the cell that is being output.
   const AxisArray<StepPosition>& shaped;
-  /// Number of neighbouring cells that contribute to `shaped`.
+  /// Number of cells before and after that cell that contribute to `shaped`.
   std::uint32_t reach;
   std::uint32_t duration_ns;
 };
@@ -44,11 +44,11 @@ class ShapingObserver {
 
 /// Makes the motion of the motors from the planned motion, by input shaping and then backlash.
 ///
-/// Time is divided into cells (ShaperGrid). The plan is added slice by slice until a cell is full.
-/// Then the cell goes out that was planned ShaperGrid::ahead cells before. It makes as many
-/// segments as its output has pieces. In a cell, each motor moves along a parabola over time from
-/// position to position. The start speed of the parabola is the mean of the mean speeds of this
-/// cell and the cell before.
+/// Time is divided into cells of equal duration (ShaperGrid). The plan is added slice by slice
+/// until a cell is full. Then the cell that was planned ShaperGrid::ahead cells earlier is output,
+/// as one segment for each piece of its output (OutputPiece). In a cell, each motor moves along a
+/// parabola over time from position to position. The start speed of the parabola is the mean of the
+/// mean speeds of this cell and the cell before.
 ///
 /// The owner that begins a motion keeps the stage until the motion has come to rest. Main loop
 /// only.
@@ -68,7 +68,7 @@ class MotorStage {
   /// by `ahead`.
   void reset(const Places& tool, const Steps& ahead);
 
-  /// Returns whether all motion has gone out and the motors are at rest.
+  /// Returns whether all motion has been output and the motors are at rest.
   [[nodiscard]] bool at_rest() const { return at_rest_; }
   /// Returns the owner of the present motion, or null at rest.
   [[nodiscard]] const void* owner() const { return owner_; }
@@ -85,19 +85,19 @@ class MotorStage {
   void add(const PlannedSlice& slice, const void* owner);
   /// Fills the rest of the present cell with a plan at rest.
   void rest();
-  /// Closes the full cell, so that the next cell goes out.
+  /// Closes the full cell, so that the next cell is output.
   /// @pre room_ns() == 0, and take() has returned false
   void close_cell();
 
   // Output: the segments.
 
-  /// Takes the next segment. Returns false if there is none left in the cell that goes out.
+  /// Takes the next segment. Returns false if there is none left in the cell that is being output.
   [[nodiscard]] bool take(Segment& segment);
 
-  /// Returns whether take() has returned all segments of the cell that goes out. Then the plan and
-  /// the output are both at the end of a cell.
+  /// Returns whether take() has returned all segments of the cell that is being output. Then the
+  /// plan and the output are both at the end of a cell.
   [[nodiscard]] bool between_cells() const { return out_tick_ == grid_.cell_ticks; }
-  /// Returns the delay in ticks between adding a position and its output.
+  /// Returns the delay in ticks from the planning of a position to its output.
   [[nodiscard]] std::uint32_t ticks_ahead() const { return grid_.ahead * grid_.cell_ticks; }
 
   /// Reports every cell to `observer` from now on; null stops the reports.
@@ -109,7 +109,7 @@ class MotorStage {
   void rebase(std::size_t axis) { backlash_[axis].rebase(); }
 
  private:
-  /// Motion of a motor within the cell that goes out.
+  /// Motion of a motor within the cell that is being output.
   struct Course {
     StepPosition from{};
     StepPosition to{};
@@ -144,10 +144,10 @@ class MotorStage {
   LineDelay lines_{};
   AxisArray<Backlash> backlash_{};
 
-  // Values of the cell that goes out.
+  // Values of the cell that is being output.
   AxisArray<Course> courses_{};
   Places motors_{};  ///< Positions of the motors at the end of the last segment.
-  /// Ticks of the cell that take() has returned; all ticks if no cell goes out.
+  /// Ticks of the cell that take() has returned; all ticks if no cell is being output.
   std::uint32_t out_tick_ = 0;
   bool comes_to_rest_ = false;
 };

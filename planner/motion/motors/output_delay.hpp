@@ -24,11 +24,11 @@ struct OutputPiece {
 /// Delays the outputs until the shaped motion reaches the position for which they were planned. The
 /// outputs are stored as a queue of pieces, cell by cell.
 ///
-/// The boundaries between pieces keep their ticks. An output that stays constant is one piece.
+/// The boundaries between pieces keep their times. An output that stays constant is one piece.
 /// Pieces of a cell are joined to one piece with the same energy in two cases. In the first case,
-/// they are so short that the queue of segments would run empty. In the second case, the queue of
-/// pieces is full. Then output changes move to the start of the joined piece, too. (Both cases
-/// require a long row of blocks of a few µm at full speed under M4.)
+/// the pieces are so short that the queue of segments would run empty. In the second case, the
+/// queue of pieces is full. Then output changes move to the start of the joined piece, too. (Both
+/// cases require a long row of blocks of a few µm at full speed under M4.)
 class OutputDelay {
  public:
   static constexpr std::size_t kMaxPieces = 384;
@@ -58,7 +58,7 @@ class OutputDelay {
   std::size_t oldest_ = 0;
   std::size_t count_ = 0;
   std::size_t in_cell_ = 0;  ///< Number of pieces in the cell that is being filled.
-  /// Number of stored pieces from which on all pieces of a cell are joined.
+  /// Number of stored pieces from which on the pieces of a cell are joined.
   std::size_t max_joinable_ = 0;
   std::uint32_t tick_ = 0;  ///< Tick up to which the cell is filled.
   /// Output changes of slices that are shorter than a tick. The next piece contains them.

@@ -8,7 +8,8 @@
 
 namespace cnc::motion {
 
-/// Positions of all axes at the ends of the latest cells, and their weighted means.
+/// Positions of all axes at the ends of the latest cells (equal intervals of time, see ShaperGrid),
+/// and their weighted means.
 class PlaceHistory {
  public:
   using Places = AxisArray<StepPosition>;

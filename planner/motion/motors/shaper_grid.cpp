@@ -35,7 +35,8 @@ std::uint32_t cell_ticks_for(const AxisArray<ShaperSetting>& settings, const Tim
   return static_cast<std::uint32_t>(cell * kTickRate) + 1U;
 }
 
-/// Returns the impulses of a shaper on the grid. Ages are counted from the newest known position.
+/// Returns the impulses of a shaper on the grid. Ages are in cells, counted from the newest known
+/// position.
 ShaperTaps taps_of(const ShaperImpulses& impulses, std::uint32_t ahead, float cell) {
   ShaperTaps taps{.count = 0};
   const float mean = impulses.mean_delay_s();

@@ -9,8 +9,9 @@
 
 namespace cnc::motion {
 
-/// A shaper on a grid of time. The shaped position is the sum of weight · position over all
-/// impulses, with the position `age` cells ago. Weights are above 0, and their sum is 2^30 exactly.
+/// A shaper whose impulses are at whole numbers of cells, the equal intervals of time of
+/// ShaperGrid. The shaped position is the sum of weight · position over all impulses, with the
+/// position `age` cells ago. Weights are above 0, and their sum is 2^30 exactly.
 ///
 /// An impulse between two cells is shared by both cells, so that the mean delay stays the same. At
 /// a frequency f, this weakens the impulse by at most (2π f · cell)² / 8.
@@ -23,8 +24,9 @@ struct ShaperTaps {
   std::array<std::int32_t, kMax> weight_q30{kOne};
 };
 
-/// The shapers of all axes on one grid. Each shaper is moved in time so that all of them have the
-/// same mean delay of `ahead` cells. The beam and the axes without a shaper have the same delay.
+/// The shapers of all axes on one grid of equal cells of time. Each shaper is moved in time so that
+/// all of them have the same mean delay of `ahead` cells. The beam and the axes without a shaper
+/// have the same delay.
 struct ShaperGrid {
   static constexpr float kLongestCell = 1.0e-3F;   ///< Longest duration of a cell, s.
   static constexpr float kShortestCell = 2.5e-4F;  ///< Shortest duration of a cell, s.
@@ -33,8 +35,8 @@ struct ShaperGrid {
   static constexpr std::size_t kMaxPlaces = 192;
 
   std::uint32_t cell_ticks = 2000;
-  std::uint32_t ahead = 0;   ///< Number of cells that shapers use after the cell that goes out.
-  std::uint32_t behind = 0;  ///< Number of cells that shapers use before the cell that goes out.
+  std::uint32_t ahead = 0;   ///< Number of cells after the output cell that shapers use.
+  std::uint32_t behind = 0;  ///< Number of cells before the output cell that shapers use.
   bool shapes = false;       ///< True if any axis has a shaper.
   AxisArray<ShaperTaps> taps{};
 
@@ -43,9 +45,9 @@ struct ShaperGrid {
 };
 
 /// Returns the grid for the shapers of all axes. A cell lasts a 24th of the shortest period, so
-/// that sharing of impulses leaves at most 1 % of a swing. But a cell lasts at most kLongestCell
-/// and at least kShortestCell. It is longer if more than kMaxPlaces positions were necessary
-/// otherwise, as with 10 Hz and 200 Hz together.
+/// that sharing impulses between cells leaves at most 1 % of a swing. But a cell lasts at most
+/// kLongestCell and at least kShortestCell. It is longer if more than kMaxPlaces positions were
+/// necessary otherwise, as with 10 Hz and 200 Hz together.
 [[nodiscard]] ShaperGrid grid_of(const AxisArray<ShaperSetting>& settings);
 
 }  // namespace cnc::motion

@@ -12,7 +12,7 @@ namespace {
 constexpr std::uint64_t kOneQ30 = std::uint64_t{1} << 30;
 constexpr std::uint64_t kOneQ63 = std::uint64_t{1} << 63;
 
-/// Number of ticks up to which the reciprocal has a relative error of at most 2^-30.
+/// Greatest number of ticks for which the reciprocal has a relative error of at most 2^-30.
 constexpr std::uint64_t kMaxTicks = std::uint64_t{1} << 33;
 
 /// Number of additional bits of the reciprocal with Grain::kFine. Its relative error is then at

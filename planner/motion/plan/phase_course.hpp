@@ -24,15 +24,15 @@ inline constexpr float kNanosecondsPerSecond = 1.0e9F;
 /// Distance and speed as functions of time at constant acceleration.
 ///
 /// With x = time / duration and α = 2 · start speed / (start speed + end speed), the distance at
-/// that time is whole distance · x (α + (1 − α) x). It is computed in fixed point, so that it is as
-/// exact at the end of an hour as at its start. It is monotonic, and exact at both ends. It
-/// deviates from a smooth curve by at most 2^-32 of the whole distance or, with Grain::kFine, by
-/// two units.
+/// that time is whole distance · x (α + (1 − α) x). The distance is computed in fixed point, so
+/// that it is as exact at the end of an hour as at its start. It never decreases, and is exact at
+/// both ends. It deviates from a smooth curve by at most 2^-32 of the whole distance or, with
+/// Grain::kFine, by two units.
 class PhaseCourse {
  public:
-  /// Resolution of the distance. Jerk is the third difference of distances over cells of a
-  /// millisecond. In a phase of ten seconds, an error of 2^-32 of the distance is visible in this
-  /// difference.
+  /// Resolution of the distance; kFine is for use under a time window. Jerk is the third difference
+  /// of distances over cells of a millisecond. In a phase of ten seconds, an error of 2^-32 of the
+  /// distance is visible in this difference.
   enum class Grain : std::uint8_t { kUsual, kFine };
 
   PhaseCourse() = default;
@@ -58,8 +58,8 @@ class PhaseCourse {
   [[nodiscard]] float speed_after(std::uint64_t ns) const {
     return ns >= whole_.duration_ns ? whole_.end_speed : speed_within(ns);
   }
-  /// Returns the time in ns, after `from_ns`, in which the motion drives another distance `way`.
-  /// The time is limited to the end of the stretch.
+  /// Returns the time in ns, counted from `from_ns`, that the motion takes for the next distance
+  /// `way`. The time is limited to the end of the stretch.
   [[nodiscard]] std::uint64_t time_of(PathUnits way, std::uint64_t from_ns) const;
   [[nodiscard]] const Stretch& whole() const { return whole_; }
 

@@ -80,9 +80,10 @@ void PlanCursor::end_phase() {
   if (profile_.at_end()) end_block();
 }
 
-/// Returns the distance of a stretch as if phases were not rounded up to whole nanoseconds. It adds
-/// the distance by which the phase is late, but never leads beyond a stop. A cell of the window may
-/// end exactly where a phase ends. So the lead of a late phase may reach into the next phase.
+/// Returns the distance of a stretch as if the durations of phases were not rounded up to whole
+/// nanoseconds. Adds lead_, the distance that corresponds to the delay by rounding, but never leads
+/// beyond a stop. A cell of the window may end exactly where a phase ends, so the lead may reach
+/// into the next phase.
 /// @param way distance of the stretch with the rounded durations
 PathUnits PlanCursor::way_in_time(PathUnits way) {
   const float late_mm = speed_ * clock_.late_ns(elapsed_ns_) * kSecondsPerNanosecond;
@@ -151,10 +152,10 @@ bool PlanCursor::begin_phase(Drive drive) {
   return true;
 }
 
-/// Returns the position on the block where the phase ends. The position is computed from the nearer
-/// end of the block. So the rounding error of a long block never falls on a short phase at one of
-/// its ends. If settle_place() corrects the position later, it is computed from the distance of the
-/// phase instead.
+/// Returns the position on the block where the phase ends. It is computed from the nearer end of
+/// the block, so that the rounding error of a long block never falls on a short phase at one of its
+/// ends. But if settle_place() corrects rounding errors later, the position is computed from the
+/// distance of the phase.
 PathUnits PlanCursor::place_after(const Phase& phase) const {
   const float left = profile_.left_of_block(phase);
   if (left <= 0.0F) return length_;
@@ -172,9 +173,10 @@ float PlanCursor::phase_distance_left() const {
   return phase_.distance * (left / whole);
 }
 
-/// Sets the speed to zero where the next block begins from rest. Under a window, a hold or an
-/// override may leave a low speed there. It still counts as a stop: the window distributes this
-/// speed over time, and the motion is at rest before the path changes its direction.
+/// Sets the speed to zero where the next block begins from rest. Under a time window, a hold or an
+/// override may leave a low speed there. The position still counts as a stop: the window
+/// distributes this speed over time, and the motion is at rest before the path changes its
+/// direction.
 void PlanCursor::stand_at_stop() {
   if (index_ == queue_.size() || !queue_.at(index_).from_rest) return;
   speed_ = 0.0F;

@@ -26,17 +26,17 @@ class PlanCursor {
   /// or `may_start` is false.
   [[nodiscard]] Stretch next(std::uint32_t max_ns, Drive drive, bool may_start);
 
-  /// Sets the overrides. Without a window they hold immediately. Under a window, lower overrides
-  /// hold immediately, too. Higher overrides hold as soon as the position and the speed allow a
-  /// change to the faster plan.
+  /// Sets the overrides. Without a time window they take effect immediately. Under a window, lower
+  /// overrides take effect immediately, too. Higher overrides take effect as soon as the position
+  /// and the speed allow a change to the faster plan.
   void set_overrides(const Overrides& overrides);
   /// Returns the overrides as last requested.
   [[nodiscard]] const Overrides& overrides() const { return overrides_; }
 
-  /// Sets the window over which the motion is the mean of the plan. @pre at rest
+  /// Sets the time window over which the motion is the mean of the plan. @pre at rest
   void set_window(const TimeWindow& window);
-  /// Returns the best window for the path to the next stop, or the longest window if that stop is
-  /// not known yet. If the window is not the longest one, blocks that are added later begin from
+  /// Returns the best time window for the path to the next stop, or the longest window if that stop
+  /// is not known yet. If the window is not the longest one, blocks that are added later begin from
   /// rest, because the window was not chosen for them.
   /// @pre at rest, not at_end()
   [[nodiscard]] TimeWindow choose_window();
@@ -95,7 +95,7 @@ class PlanCursor {
   PlanTerms terms_{};
   std::uint64_t untried_ns_ = 0;    ///< Time since higher overrides were last tried.
   std::uint64_t postponed_ns_ = 0;  ///< Time until lower overrides are tried again.
-  /// Count of plans of the queue (BlockQueue::plans) that the present phase follows.
+  /// Value of BlockQueue::plans() for the plan that the present phase follows.
   std::uint32_t followed_ = 0;
   bool replan_ = false;
 
@@ -114,7 +114,7 @@ class PlanCursor {
   PhaseCourse course_{};
   std::uint64_t elapsed_ns_ = 0;  ///< Time since the start of the phase.
   PhaseClock clock_{};
-  PathUnits lead_ = 0;  ///< Distance by which the stretches returned so far are beyond place_.
+  PathUnits lead_ = 0;  ///< Distance by which the stretches returned so far reach beyond place_.
 
   // State from which patience() is computed.
   std::uint32_t since_speeding_up_ns_ = kLongAgo;

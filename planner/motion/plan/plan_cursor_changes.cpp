@@ -15,16 +15,16 @@ constexpr std::uint64_t kBetweenTriesNs = 20'000'000;
 
 }  // namespace
 
-/// Returns the index of the end of the chain that begins at the present block. It is the index of
-/// the next block that begins from rest, or the size of the queue.
+/// Returns the index after the chain of blocks that begins with the present block and has no rest
+/// within it. It is the index of the next block that begins from rest, or the size of the queue.
 std::size_t PlanCursor::chain_end() const {
   std::size_t end = index_ + 1;
   while (end < queue_.size() && !queue_.at(end).from_rest) ++end;
   return end;
 }
 
-/// Returns the time in ns that the motion takes from the present block to the block at index `end`
-/// under a window. Leaves the window set. @pre at rest, and no block is begun
+/// Returns the time in ns that the motion takes under a time window from the present block to the
+/// block at index `end`. `window` stays set. @pre at rest, and no block has begun
 std::uint64_t PlanCursor::time_to(std::size_t end, const TimeWindow& window) {
   constexpr std::uint32_t kAnyNs = 1'000'000'000;
   const std::size_t first = index_;
@@ -43,8 +43,9 @@ std::uint64_t PlanCursor::time_to(std::size_t end, const TimeWindow& window) {
   return took_ns;
 }
 
-/// Returns the quickest window for the blocks before index `end`. Tries the window for a single
-/// move first, and then shorter windows until the motion takes longer again.
+/// Returns the time window with which the blocks before index `end` are driven in the shortest
+/// time. Tries the window that suits a single move first, and then shorter windows until the motion
+/// takes longer again.
 TimeWindow PlanCursor::quickest(const WindowChoice& choice, std::size_t end) {
   constexpr std::array<float, 7> kShares{0.84F, 0.7F, 0.59F, 0.5F, 0.42F, 0.35F, 0.25F};
   /// These numbers of blocks limit the time of the choice to some milliseconds on the controller.
@@ -116,15 +117,15 @@ void PlanCursor::set_overrides(const Overrides& overrides) {
   if (!terms_.window.filters() && !same_pace(overrides, terms_.overrides)) take_up_overrides();
 }
 
-/// Replaces the terms of the plan, and marks all blocks as unplanned.
+/// Replaces the terms of the plan (overrides and window), and marks all blocks as unplanned.
 void PlanCursor::plan_for(const PlanTerms& terms) {
   terms_ = terms;
   queue_.forget_plan();
   replan_ = true;
 }
 
-/// Puts the requested overrides into the terms of the plan. @pre at rest, or without a window, so
-/// that no limits of a block reach into other blocks
+/// Makes the requested overrides those of the plan. @pre at rest, or without a time window, so that
+/// no limits of a block reach into other blocks
 void PlanCursor::take_up_overrides() {
   plan_for({.overrides = overrides_, .greatest = overrides_, .window = terms_.window});
 }
@@ -143,9 +144,9 @@ void PlanCursor::stop_phase_short() {
   settle_place();
 }
 
-/// Corrects the position in the profile at the end of a phase. The profile adds up distances in
-/// single precision, and each phase adds a rounding error. If all errors were corrected in one
-/// later phase, the speed would jump there.
+/// Corrects the distance that the profile has left, at the end of a phase. The profile adds up
+/// distances in single precision, so each phase adds a rounding error. If all errors were corrected
+/// in one later phase, the speed would jump there.
 void PlanCursor::settle_place() {
   if (terms_.window.filters()) profile_.settle(to_mm(length_ - place_));
 }
@@ -180,17 +181,19 @@ void PlanCursor::follow_plan(Drive drive) {
   replan_ = false;
 }
 
-/// Plans all blocks that are not planned yet, and adapts the profile. Before a change of the terms,
-/// this ensures that late blocks are accepted or refused under the old terms.
+/// Plans all blocks that are not planned yet, and adapts the profile. Called before a change of the
+/// overrides, it ensures that blocks that arrived late are accepted or refused under the old
+/// overrides.
 void PlanCursor::bring_up_to_date(Drive drive) {
   queue_.plan_all(limits_, terms_, index_);
   if (driving_) follow_plan(drive);
 }
 
 /// Applies lower overrides immediately: if the motion is too fast for them, it slows down. There is
-/// one exception. Under other terms, other zones may be merged. A zone in which the speed is too
-/// high for turning may then reach farther than before, and leaves no acceleration for braking. In
-/// this case the lower overrides are postponed.
+/// one exception. Where too many limit zones of later blocks reach into a block, some are merged,
+/// and the overrides decide which. A merged zone may reach farther than the zones under the old
+/// overrides. If the speed is too high for turning within this zone, no acceleration is left for
+/// braking. Then the lower overrides are postponed.
 void PlanCursor::lower_pace(std::uint64_t passed_ns, Drive drive) {
   postponed_ns_ -= std::min(postponed_ns_, passed_ns);
   PlanTerms lower = terms_;

@@ -8,24 +8,26 @@
 namespace cnc::motion {
 namespace {
 
-/// Least gain, as a share of v², for which a phase speeds up where jerk is not limited. A gain of
-/// ten times kNegligibleShare is still inexact: it has four exact digits at most, and so has the
-/// acceleration that is computed from it.
+/// Least gain of v², as a share of v², for which a phase speeds up where jerk is not limited. It is
+/// ten times kNegligibleShare, because a smaller gain would be too inexact. Even a gain of this
+/// size has at most four exact digits, and so has the acceleration that is computed from it.
 constexpr float kMinGain = 1.0e-4F;
 
-/// If the ratio of v² to the cap, or of the braking to the planned braking, exceeds these factors,
-/// an override has lowered the plan. A smaller excess is rounding.
+/// Greatest ratios that rounding explains: v² to the cap or the braking curve, and the required
+/// drop of v² to the planned drop. If a ratio is greater, an override has lowered the plan.
 constexpr float kAbovePlan = 1.0F + 1.0e-4F;
 constexpr float kSteeperThanPlan = 1.0F + 5.0e-4F;
 
-/// Greatest ratio of v² to the braking curve that rounding of the wait before braking can cause.
+/// Greatest ratio of v² to the braking curve that rounding explains: under a time window, the speed
+/// may have to stay level for a rounded time before braking (Patience::before_braking).
 constexpr float kLate = 1.0005F;
 
 /// Rounding error of v², relative to v²: two units in the last place of a float.
 constexpr float kSpeedSquareRounding = 2.4e-7F;
 
-/// Greatest v² that counts as rest, in mm²/s². Without a window this is (1 µm/s)², slower than a
-/// step per second. Under a window it is the v² that the jerk limit allows within a cell.
+/// Greatest v² that counts as rest, in mm²/s². Without a time window this is (1 µm/s)², slower than
+/// a step per second. Under a time window it is the v² that the jerk limit allows within a cell of
+/// the window.
 constexpr float kStandstillSquare = 1.0e-6F;
 constexpr float kFilteredStandstillSquare = 1.0e-9F;
 
@@ -65,10 +67,10 @@ void SpeedProfile::lay_out(const Block& block,
   brake_from_the_end(block, terms.overrides);
 }
 
-/// Returns the grid for a block. The block keeps this grid up to its end, because the speeds on the
-/// fine grid may be too high for braking on the usual grid. The fine grid is used only if the block
-/// begins or ends at rest. On a path of many arcs, it would save only thousandths of the time, but
-/// require a third more segments.
+/// Returns the grid of spans for a block, see Spans::Grid. The block keeps this grid up to its end,
+/// because the speeds on the fine grid may be too high for braking on the usual grid. The fine grid
+/// is used only if the block begins or ends at rest. On a path of many arcs, it would save only
+/// thousandths of the time, but require a third more segments.
 Spans::Grid SpeedProfile::grid_for(const Block& block,
                                    const PlanTerms& terms,
                                    const BrakingState& exit) const {
@@ -95,7 +97,7 @@ void SpeedProfile::brake_from_the_end(const Block& block, const Overrides& overr
 }
 
 /// Sets span_ and left_ for the position `left_of_block` mm before the end of the block. This is
-/// required after each change of the zones, because the zones define the spans.
+/// required after each change of the limit zones, because their edges are boundaries of spans.
 void SpeedProfile::find_span(float left_of_block) {
   const float length = spans_.boundary(spans_.count());
   span_ = 0;
@@ -197,8 +199,9 @@ Phase SpeedProfile::speed_up() const {
   const float gain = slopes > 0.0F ? (curve - speed_square_) * (acceleration / slopes) : 0.0F;
   const float peak = std::clamp(speed_square_ + gain, speed_square_, cap);
   if (peak <= speed_square_) return {};
-  // The gain and the drop are small differences of large v². The steeper line gives its distance
-  // with the smaller rounding error.
+  // Distances of braking (`fall`) and of speeding up (`rise`). Each is computed from a small
+  // difference of large v², so the one with the greater acceleration has the smaller error. If this
+  // is braking, its distance limits the distance of speeding up.
   const float fall = fall_from(peak);
   float rise = (peak - speed_square_) / (2.0F * acceleration);
   const bool steeper_fall = acceleration < here().deceleration;
@@ -206,8 +209,8 @@ Phase SpeedProfile::speed_up() const {
   return phase_to(peak, rise, std::max(left_ - rise, fall));
 }
 
-/// Returns the part of a phase of speeding up that ends early enough for a level speed before
-/// braking.
+/// Returns the first part of `phase`, in which the speed rises. This part ends early enough that
+/// the speed can stay level for the time window before braking.
 Phase SpeedProfile::committed(const Phase& phase) const {
   const float window_s = spans_.window_s();
   if (window_s <= 0.0F || phase.distance <= 0.0F) return phase;
@@ -229,8 +232,8 @@ Phase SpeedProfile::committed(const Phase& phase) const {
   return phase_to(speed_square_ + gain * short_of, short_of, left_ - short_of);
 }
 
-/// Returns the distance in mm before the end of the span at which braking from `speed_square` has
-/// to begin.
+/// Returns the distance in mm before the end of the present span at which braking from a v² of
+/// `speed_square` has to begin.
 float SpeedProfile::fall_from(float speed_square) const {
   const float drop = std::max(0.0F, speed_square - end_target_square());
   const float deceleration = here().deceleration;
@@ -271,12 +274,13 @@ Phase SpeedProfile::level_for(float seconds) const {
 /// Returns the deceleration of the plan at the present speed, or 0 if the plan does not allow this
 /// speed.
 ///
-/// Below the braking curve, the share v² / curve of the plan's deceleration is feasible, because
-/// the limits are linear in (a, v²) and allow rest. So if the plan can stop from the present
-/// position, the motion can, too. (The limits at a position within a span may be stricter than
-/// those at the span's ends, by the margin.) The plan does not allow a speed above the curve. Under
-/// a window it does not allow a speed above the cap either, because turning leaves less
-/// acceleration there. Such a speed follows from an override that has lowered the plan.
+/// Below the braking curve, where v² < `curve`, the share v² / curve of the plan's deceleration is
+/// feasible, because the limits are linear in (a, v²) and allow rest. So if the plan can stop from
+/// the present position, the motion can, too. (The limits at a position within a span may be
+/// stricter than those at the span's ends, by the margin of ArcLimits.) The plan does not allow a
+/// speed above the curve. Under a time window it does not allow a speed above the cap either,
+/// because turning leaves less acceleration there. A speed that is not allowed follows from an
+/// override that has lowered the plan.
 float SpeedProfile::planned_deceleration() const {
   const float planned = here().deceleration;
   const bool beyond_cap = speed_square_ > here().cap_square * kAbovePlan;
@@ -290,9 +294,10 @@ float SpeedProfile::planned_deceleration() const {
 /// the span ends.
 Phase SpeedProfile::brake_to(float target_square, const Patience& patience) const {
   if (patience.before_braking > 0.0F) return level_for(patience.before_braking);
-  // If an override has made the speed too high, braking uses the limits in full. Otherwise a part
-  // of them is left for the motion: as a mean over time, it is faster than the plan while the plan
-  // brakes. The motion may also be faster than the lowered cap.
+  // If an override has made the speed too high, braking uses the limits in full. Otherwise it
+  // leaves a part of the limits to the motion, which is a mean of the plan over time and so is
+  // faster than the plan while the plan brakes. After an override, the motion may also be faster
+  // than the lowered cap.
   const float growing = patience.overtaken ? 0.0F : left_;
   float cap = std::max(here().cap_square, speed_square_);
   if (patience.overtaken) cap = std::max(cap, square(patience.braking_from));
@@ -302,7 +307,7 @@ Phase SpeedProfile::brake_to(float target_square, const Patience& patience) cons
   const float possible = 2.0F * deceleration * left_;
   if (needed <= 0.0F) return {};
   if (needed >= possible) {
-    // If only rounding prevents the rest from being reached, it counts as reached.
+    // If only rounding prevents the target speed from being reached, it counts as reached.
     const float standstill =
         spans_.window_s() > 0.0F ? kFilteredStandstillSquare : kStandstillSquare;
     const float rounding = possible * 1.0e-3F + speed_square_ * kSpeedSquareRounding + standstill;
@@ -313,8 +318,8 @@ Phase SpeedProfile::brake_to(float target_square, const Patience& patience) cons
   return phase_to(target_square, distance, std::max(0.0F, left_ - distance));
 }
 
-/// Limits v² to its values at the ends of the phase, which are within the caps. The square of
-/// `speed` is rounded and could be outside.
+/// Limits v² to the range between its values at the ends of the phase, which are within the caps.
+/// The square of `speed` is rounded and could be outside this range.
 void SpeedProfile::stop_short(const Phase& phase, float distance, float speed) {
   const auto [least, most] = std::minmax(speed_square_, phase.end_speed_square);
   const float speed_square = std::clamp(speed * speed, least, most);

@@ -20,16 +20,16 @@ struct Phase {
   int passes = 0;  ///< Number of spans that end within the phase, without its last span.
 };
 
-/// State that limits a change of speed, because jerk is limited. The first two fields are times in
-/// s for which the speed must stay level before it may rise or fall. At rest both times are 0.
+/// State that limits a change of speed where jerk is limited. The first two fields are times in s
+/// for which the speed must stay level before it may rise or fall. At rest both times are 0.
 struct Patience {
   float before_speeding_up = 0.0F;
   float before_braking = 0.0F;
   /// Speed of the plan in mm/s when it last did not brake. The motion may still have this speed.
   float braking_from = 0.0F;
-  /// True if an override has lowered the speed limits so far that braking after the wait is too
-  /// late for them. The other limits are still kept, because the plan before the override kept
-  /// them.
+  /// True if an override has lowered the speed limits so far that braking after `before_braking` is
+  /// too late to keep them. All limits except those of speed are still kept, because the plan
+  /// before the override kept them.
   bool overtaken = false;
 };
 
@@ -41,10 +41,10 @@ enum class Drive : std::uint8_t {
 /// Speed along the block that is being driven, as phases of constant acceleration.
 ///
 /// This is the forward pass of the look-ahead. Within a span, the speed rises until it reaches the
-/// cap or the braking curve. It keeps the cap, and then follows the braking curve. Under a time
-/// window T, the speed stops rising early enough to be level for T before braking. Each phase is
-/// computed from the present state when it is required. So after an override, a hold or added
-/// blocks, the caller just requests the next phase.
+/// greatest speed of the span (the cap) or the braking curve. It keeps the cap, and then follows
+/// the braking curve. Under a time window T, the speed stops rising early enough to be level for T
+/// before braking. Each phase is computed from the present state when it is required. So after an
+/// override, a hold or added blocks, the caller just requests the next phase.
 class SpeedProfile {
  public:
   /// Starts at the beginning of a block, with the given v².
@@ -53,8 +53,8 @@ class SpeedProfile {
              const PlanTerms& terms,
              const BrakingState& exit,
              float speed_square);
-  /// Computes the profile again after a change of the plan ahead, or of the zones that reach into
-  /// the block. The position and the speed stay the same.
+  /// Computes the profile again after a change of the plan ahead, or of the limit zones that reach
+  /// into the block. The position and the speed stay the same.
   void replan(const Block& block,
               const Limits& limits,
               const PlanTerms& terms,
@@ -63,16 +63,17 @@ class SpeedProfile {
   [[nodiscard]] bool at_end() const { return span_ == spans_.count(); }
   [[nodiscard]] float speed_square() const { return speed_square_; }
   [[nodiscard]] const BrakingState& exit() const { return exit_; }
-  /// Returns whether the speed exceeds the cap, or is too high for braking in time after the wait
-  /// before braking.
+  /// Returns whether the speed exceeds the cap, or is too high for braking in time if braking
+  /// begins only after patience.before_braking.
   [[nodiscard]] bool too_fast(const Patience& patience) const;
-  /// Returns whether the position is within a zone of a later block that is not one of `before`.
+  /// Returns whether the position is within a limit zone of a later block that `before` does not
+  /// contain.
   [[nodiscard]] bool within_other_zones(const BlockZones& before) const;
-  /// Returns whether there is a zone of a later block in which turning at the present speed uses
-  /// all acceleration. Ignores a zone if `before` contains one that is as long and as strict in
-  /// turning.
+  /// Returns whether there is a limit zone of a later block in which turning at the present speed
+  /// uses all acceleration. Ignores a zone if `before` contains one that is at least as long and at
+  /// least as strict for turning.
   [[nodiscard]] bool too_fast_to_turn(const BlockZones& before) const;
-  /// Returns the zones of later blocks that the profile includes.
+  /// Returns the limit zones of later blocks that the profile includes.
   [[nodiscard]] const BlockZones& tail() const { return spans_.tail(); }
 
   /// Returns the next phase from the present position and speed. A duration of 0 means that the
@@ -94,7 +95,7 @@ class SpeedProfile {
     if (span_ + 1 == spans_.count() && settles(left_of_block)) left_ = left_of_block;
   }
   /// Returns whether settle() is useful at this distance. Less than a micrometre before the end,
-  /// the sum is exact enough.
+  /// the distance that the profile has added up is exact enough.
   [[nodiscard]] static bool settles(float left_of_block) { return left_of_block > 1.0e-3F; }
   /// Returns the distance from the end of a phase to the end of the block, in mm.
   [[nodiscard]] float left_of_block(const Phase& phase) const {

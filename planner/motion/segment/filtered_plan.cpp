@@ -18,7 +18,7 @@ void FilteredPlan::reset() {
   plan_.set_window({});
 }
 
-/// Chooses the window for the motion from this rest to the next.
+/// Chooses the time window for the motion up to the next rest. @pre the motion is at rest
 void FilteredPlan::choose_window() {
   if (plan_.at_end()) return;
   const TimeWindow window = plan_.choose_window();
@@ -28,7 +28,8 @@ void FilteredPlan::choose_window() {
   filter_.begin(window);
 }
 
-/// Fills the present cell of the filter. Returns false if neither plan nor motion move.
+/// Fills the present cell of the filter with the plan. Returns false if the plan and the motion are
+/// both at rest and stay at rest.
 bool FilteredPlan::fill_cell() {
   const bool may_start = filter_.at_rest();
   bool moves = !may_start;

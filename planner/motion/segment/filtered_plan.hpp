@@ -7,8 +7,8 @@
 
 namespace cnc::motion {
 
-/// The motion that the motors are to make: the plan itself or, where jerk is limited, the mean of
-/// the plan over a time window.
+/// The motion that the motors are to make. It is the plan itself or, where jerk is limited, the
+/// mean of the plan over a time window.
 ///
 /// Main loop only.
 class FilteredPlan {
@@ -17,9 +17,9 @@ class FilteredPlan {
 
   /// Returns the next stretch of the motion, at most `max_ns` long. It has no duration if there is
   /// no motion: everything is driven, or the motion is halted.
-  /// @pre max_ns is at least a cell of the filter
+  /// @pre max_ns is at least the duration of a cell of the filter, see MotionFilter
   [[nodiscard]] Stretch next(std::uint32_t max_ns);
-  /// Forgets plan and window; the motors are at rest. A halt remains.
+  /// Forgets the plan and the window. The motors must be at rest. A halt stays in effect.
   void reset();
 
   void halt() { drive_ = Drive::kHalt; }
@@ -29,10 +29,11 @@ class FilteredPlan {
 
   void set_overrides(const Overrides& overrides) { plan_.set_overrides(overrides); }
   [[nodiscard]] const Overrides& overrides() const { return plan_.overrides(); }
-  /// Returns the speed of the plan, in mm/s. Under a window, the plan is ahead of the motion.
+  /// Returns the speed of the plan, in mm/s. Under a time window, the plan is ahead of the motion.
   [[nodiscard]] float planned_speed() const { return plan_.speed(); }
   [[nodiscard]] const TimeWindow& window() const { return window_; }
-  /// Prepares for the removal of the block at the front of the queue. @pre the motion has left it
+  /// Prepares for the removal of the block at the front of the queue. @pre the motion has left this
+  /// block
   void block_left() { plan_.block_left(); }
 
  private:
@@ -41,7 +42,7 @@ class FilteredPlan {
 
   PlanCursor plan_;
   TimeWindow window_{};
-  MotionFilter filter_{};  ///< Makes the motion from the plan, under a window.
+  MotionFilter filter_{};  ///< Computes the motion from the plan under a time window.
   Drive drive_ = Drive::kOn;
 };
 

@@ -19,7 +19,8 @@ bool has_steps(const Segment& segment) {
 }  // namespace
 
 void JoinedSlices::time(const AxisArray<StepPosition>& to, Segment& segment) {
-  // A segment of no duration comes from rounding of the stretch. A step in it is due at once.
+  // Rounding of a stretch can make a segment without duration. A step of such a segment is due
+  // immediately.
   const float ticks = static_cast<float>(std::max<std::uint32_t>(1, duration_ns_)) * kTicksPerNs;
   const float shift = static_cast<float>(remainder_ns_) * kTicksPerNs;
   for (std::size_t axis = 0; axis < kAxisCount; ++axis) {

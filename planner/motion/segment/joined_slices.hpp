@@ -8,10 +8,11 @@
 
 namespace cnc::motion {
 
-/// Slices of the plan that go out as one segment. Holds the positions and speeds of the motors at
-/// the start of the segment, and its duration so far.
+/// Slices of the plan that are joined to one segment. Holds the positions and speeds of the motors
+/// at the start of the segment, and its duration so far.
 ///
-/// Segments last whole ticks. The planned time that remains of one segment goes to the next.
+/// A segment lasts a whole number of ticks. The rest of its planned time is added to the next
+/// segment.
 class JoinedSlices {
  public:
   /// Begins a segment with the motors at `from`. A motor starts at speed 0 unless set_speed() is
@@ -21,36 +22,38 @@ class JoinedSlices {
     speeds_ = {};
     duration_ns_ = 0;
   }
-  /// Sets the speed of a motor. @param steps_per_tick at the start of the segment, signed
+  /// Sets the speed of a motor.
+  /// @param steps_per_tick speed at the start of the segment, signed
   void set_speed(std::size_t axis, float steps_per_tick) { speeds_[axis] = steps_per_tick; }
   void add(std::uint32_t duration_ns) { duration_ns_ += duration_ns; }
 
   [[nodiscard]] std::uint32_t duration_ns() const { return duration_ns_; }
-  /// Returns the planned time, in ns, that earlier segments have left to this one. A negative time
-  /// was taken in advance by them. @pre time() has not been called
+  /// Returns the planned time, in ns, that earlier segments have left to this one. A negative value
+  /// is time that earlier segments have taken in advance. @pre time() has not been called
   [[nodiscard]] std::int32_t rest_ns() const { return remainder_ns_; }
   /// Returns the distance from the start of the segment to `here`, in Q32 steps.
   [[nodiscard]] std::int64_t gone(std::size_t axis, StepPosition here) const {
     return here.q32() - from_[axis].q32();
   }
 
-  /// Sets trains, directions and ticks of the segment, which ends with the motors at `to`. A
-  /// segment of less than a tick and without a step gets no ticks. @pre no train of the segment has
-  /// a step
+  /// Sets the step trains, the directions and the ticks of `segment`, which ends with the motors at
+  /// `to`. A segment that is shorter than a tick and has no step gets no ticks. @pre no train of
+  /// the segment has a step
   void time(const AxisArray<StepPosition>& to, Segment& segment);
   /// Makes the segment last one tick. The next segment is shorter by that tick.
   void lend_tick(Segment& segment);
 
-  /// Forgets the planned time that remains.
+  /// Forgets the planned time that earlier segments have left, see rest_ns().
   void reset() { remainder_ns_ = 0; }
 
  private:
   void pass_time(Segment& segment);
 
   AxisArray<StepPosition> from_{};
-  AxisArray<float> speeds_{};  ///< Steps per tick.
+  AxisArray<float> speeds_{};  ///< Speeds at the start of the segment, steps per tick.
   std::uint32_t duration_ns_ = 0;
-  std::int32_t remainder_ns_ = 0;  ///< Planned time beyond the whole ticks of the segments so far.
+  /// Planned time, ns, beyond the whole ticks of the segments so far.
+  std::int32_t remainder_ns_ = 0;
 };
 
 }  // namespace cnc::motion

@@ -12,13 +12,14 @@ namespace {
 
 using Vector = std::array<float, 2>;
 
-/// Returns the part of a tangent in the plane. A block next to an edge lies in the plane.
+/// Returns the two components of a tangent in `plane`. A block next to an edge lies in this plane.
 Vector in_plane(const AxisArray<float>& tangent, Plane plane) {
   const PlaneAxes axes = axes_of(plane);
   return {tangent[axes.first], tangent[axes.second]};
 }
 
-/// Returns 1 for a beam to the left of an edge, −1 to the right, and 0 without an edge.
+/// Returns 1 if the beam is to the left of an edge, −1 if it is to the right, and 0 without an
+/// edge.
 float side_of(Beside beside) {
   if (beside == Beside::kNothing) return 0.0F;
   return beside == Beside::kLeft ? 1.0F : -1.0F;
@@ -31,16 +32,17 @@ Vector off_edge(const Vector& tangent, Beside beside) {
 
 float dot(const Vector& a, const Vector& b) { return a[0] * b[0] + a[1] * b[1]; }
 
-/// Returns the vector from the corner to the point where two straight paths meet if each is shifted
-/// by its own normal. Its length is at most four times the shift; the tip of a needle would be
-/// farther away.
+/// Returns the vector from a corner to the point where the straight paths before and after it meet
+/// if each is shifted by its unit normal. The length is limited to four times the shift, because at
+/// a very sharp corner that point is far away.
+/// @param before, after unit normals of the two paths
 Vector meeting(const Vector& before, const Vector& after) {
   constexpr float kMinShare = 0.125F;
   const float share = std::max(kMinShare, 1.0F + dot(before, after));
   return {(before[0] + after[0]) / share, (before[1] + after[1]) / share};
 }
 
-/// Returns the parts of a vector along a tangent and across it, to the left.
+/// Returns the components of a vector along a tangent and along the normal to its left.
 Vector seen_from(const Vector& vector, const SinCos& tangent) {
   return {vector[0] * tangent.cosine + vector[1] * tangent.sine,
           vector[1] * tangent.cosine - vector[0] * tangent.sine};
@@ -54,14 +56,14 @@ void KerfShift::reset() {
   steps_q32_ = {};
 }
 
-/// Takes the plane of a block next to an edge. An oblique arc joins blocks of one plane to others;
-/// its plane is not taken.
+/// Sets plane_ to the plane of a block that is next to an edge. The plane of an oblique arc is not
+/// used, because such an arc only joins blocks of one plane to blocks of another.
 void KerfShift::take_plane(const Block& block, Beside beside) {
   const ArcPlane& plane = block.turn.plane;
   if (beside != Beside::kNothing && !plane.oblique()) plane_ = plane.coordinate_plane();
 }
 
-/// Returns the present vector along the axes of the plane.
+/// Returns the present vector as components along the two axes of the plane.
 KerfShift::Vector KerfShift::vector() const {
   return {now_[0] * tangent_.cosine - now_[1] * tangent_.sine,
           now_[0] * tangent_.sine + now_[1] * tangent_.cosine};
@@ -93,7 +95,7 @@ void KerfShift::meet(const Block& next) {
   end_ = seen_from(there, sin_cos(start_angle_ + sweep_));
 }
 
-/// Returns `from`, moved towards `to` by a share of the difference, but by at most `most`.
+/// Returns `from`, moved towards `to` by `share` of the difference, but by at most `most`.
 float KerfShift::approach(float from, float to, float share, float most) {
   return from + std::clamp(share * (to - from), -most, most);
 }

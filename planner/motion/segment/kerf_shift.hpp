@@ -11,18 +11,20 @@
 
 namespace cnc::motion {
 
-/// Shifts a beam that is driven at an offset of half a kerf from an edge. While its kerf is wider
-/// or narrower than that of the programmed speed, the beam is off the planned path by half of the
-/// difference.
+/// Shifts a beam that is driven at an offset of half a kerf from an edge. While the present kerf is
+/// wider or narrower than the kerf at the programmed speed, the beam is off the planned path by
+/// half of the difference.
 ///
-/// The shift is this distance times a vector in the plane. On a block next to an edge, the part of
-/// the vector across the path is the normal, so that the edge of the cut stays on the edge of the
-/// part. The part along the path leads to the shifted corner: at a joint, the vectors of both
-/// blocks lead to the point where their shifted paths meet. On a block that is not next to an edge,
-/// the vector changes from the last one to that of the next block, or to zero.
+/// The shift is this distance times a vector in the plane. On a block next to an edge, the
+/// component of the vector across the path is the unit normal. So the edge of the cut stays on the
+/// edge of the part. The component along the path leads to the shifted corner: at a joint, the
+/// vectors of both blocks lead to the point where their shifted paths meet. On a block that is not
+/// next to an edge, the vector changes from that of the previous block to that of the next block.
+/// If the next block is not next to an edge either, it changes to zero.
 ///
-/// Shift and vector change by at most a quarter of the distance driven. The shift lags where the
-/// machine brakes so hard that a steep kerf cannot be followed, or where a corner is known late.
+/// Over a distance driven, neither a change of the shift's length nor a change of the vector moves
+/// the beam by more than a quarter of that distance. So the shift lags where hard braking changes
+/// the kerf too fast, or where a corner becomes known late.
 ///
 /// The position of the motors is that of the plan plus the shift. Main loop only.
 class KerfShift {
@@ -40,19 +42,19 @@ class KerfShift {
 
   // The functions below require follows().
 
-  /// Begins a block of the plan. It counts as the last one until meet() is called.
+  /// Begins a block of the plan. The block counts as the last one until meet() is called.
   void begin(const Block& block);
-  /// Returns whether meet() was not called since begin().
+  /// Returns whether the present block counts as the last one: meet() was not called since begin().
   [[nodiscard]] bool ends() const { return ends_; }
   /// Prepares for `next`, the block after the present one.
   void meet(const Block& next);
   /// Computes the shift at a position on the block.
-  /// @param fraction of the block's length, 0…1
-  /// @param way_mm distance from the last position
+  /// @param fraction position as a fraction of the block's length, 0…1
+  /// @param way_mm distance from the previous position, mm
   /// @param heat heat input divided by the programmed one, finite
   void move(float fraction, float way_mm, float heat, const Limits& limits);
 
-  /// Adds the shift to a planned position, which gives that of the motors.
+  /// Adds the shift to `place`, a planned position, which becomes the position of the motors.
   void add_to(AxisArray<StepPosition>& place) const;
 
  private:
@@ -68,12 +70,12 @@ class KerfShift {
   bool ends_ = false;
   bool turns_ = false;
   float fraction_ = 0.0F;
-  float start_angle_ = 0.0F;  ///< Angle of the tangent at the start.
+  float start_angle_ = 0.0F;  ///< Angle of the tangent at the start of the block, rad.
   float sweep_ = 0.0F;
-  Vector exit_{1.0F, 0.0F};  ///< The tangent at the end.
+  Vector exit_{1.0F, 0.0F};  ///< Tangent at the end of the block.
   SinCos tangent_{0.0F, 1.0F};
-  Vector now_{};        ///< Present vector: parts along the tangent and across, to the left.
-  Vector end_{};        ///< Vector at the end of the block, in the same parts.
+  Vector now_{};        ///< Present vector: components along the tangent and to its left.
+  Vector end_{};        ///< Vector at the end of the block, relative to the tangent there.
   float aside_ = 0.0F;  ///< Length by which the vector is multiplied, mm.
   std::array<std::int64_t, 2> steps_q32_{};
 };

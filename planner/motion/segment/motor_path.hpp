@@ -10,26 +10,26 @@
 
 namespace cnc::motion {
 
-/// Positions of the motors along one block. Evaluates its line, arc or helix by fraction of its
-/// length, in fixed point (Q32.32 steps), to 20 nm at 4 m.
+/// Positions of the motors along one block. Evaluates its line, arc or helix at a fraction of its
+/// length, in fixed point (Q32.32 steps), with an error of at most 20 nm at a length of 4 m.
 class MotorPath {
  public:
   /// A point of the block at which motors can be evaluated.
   struct Point {
     std::uint32_t fraction = 0;  ///< Fraction of the block's length in Q32.
-    bool at_end = false;         ///< The end of the block, which no fraction stands for.
-    ChordPoint turn{};           ///< Point relative to the chord, on a block that turns.
+    bool at_end = false;  ///< True at the end of the block, which `fraction` cannot represent.
+    ChordPoint turn{};    ///< Point relative to the chord, on a block that turns.
   };
 
   /// One motor that moves on the block. An axis in the plane in which the block turns moves along
-  /// the chord and across it. Any other axis moves evenly.
+  /// the chord and across it. Any other axis moves in proportion to the path length.
   class Motor {
    public:
     Motor() = default;
     Motor(std::size_t axis, StepPosition start, std::int64_t chord, float per_mm)
         : axis_{axis}, start_{start}, chord_{chord}, chord_per_mm_{nearest_float(chord) * per_mm} {}
-    /// Makes the motor turn: its axis lies in the plane in which the block turns.
-    /// @param normal part of the chord's normal along the axis
+    /// Adds the motion across the chord, for an axis in the plane in which the block turns.
+    /// @param normal component of the chord's normal along the axis, in Q32.32 steps
     void turn(std::int64_t normal, float per_mm);
 
     [[nodiscard]] std::size_t axis() const { return axis_; }
@@ -45,8 +45,8 @@ class MotorPath {
     }
 
    private:
-    /// A length in Q32.32 steps as two signed halves: a product of 32-bit values is one
-    /// instruction.
+    /// A length in Q32.32 steps as two signed 32-bit halves, because a product of 32-bit values is
+    /// one instruction.
     struct Length {
       std::int32_t high = 0;  ///< Whole steps, rounded.
       std::int32_t low = 0;
@@ -65,7 +65,8 @@ class MotorPath {
     };
     static std::int64_t product(std::int32_t a, std::int32_t b) { return std::int64_t{a} * b; }
 
-    /// Returns the steps from the start to a point that is given along the chord and across it.
+    /// Returns the distance, in Q32.32 steps, from the start to a point that is given along the
+    /// chord and across it.
     [[nodiscard]] std::int64_t turned(const ChordPoint& turn) const {
       const std::int64_t high =
           product(chord_.high, turn.along_q30) + product(normal_.high, turn.across_q30);
@@ -78,14 +79,14 @@ class MotorPath {
     bool turns_ = false;
     StepPosition start_{};
     Length chord_{};
-    Length normal_{};            ///< Part of the chord's normal along this axis.
+    Length normal_{};            ///< Component of the chord's normal along this axis.
     float chord_per_mm_ = 0.0F;  ///< Steps of chord per mm of path.
     float normal_per_mm_ = 0.0F;
   };
 
   MotorPath() = default;
   MotorPath(const Block& block, const AxisArray<StepPosition>& start) { begin(block, start); }
-  /// Begins another block.
+  /// Replaces the block by another one, which the motors begin at `start`.
   void begin(const Block& block, const AxisArray<StepPosition>& start);
 
   /// Returns the point at a fraction of the block's length. 2^32 is the end, which is exact.

@@ -18,7 +18,8 @@ void PixelCourse::begin(const Block& block, PathUnits length) {
   pass(0);
 }
 
-/// At the end of the block, a pixel that ends within its part of the row is used up, too.
+/// Uses up the pixels before `place`. At the end of the block, a pixel that ends within the block's
+/// part of the row is used up, too.
 void PixelCourse::pass(PathUnits place) {
   if (!row_.any()) return;
   while (change_ <= place && change_ < length_) {

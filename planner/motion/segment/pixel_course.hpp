@@ -6,16 +6,16 @@
 
 namespace cnc::motion {
 
-/// The power along the block that is being driven. It is the power of the whole block or, in a row,
-/// that of the pixels, which are used up as the motion passes them.
+/// The power along the block that is being driven. It is the power of the block or, if the block
+/// drives a part of a row, that of the row's pixels. Pixels are used up as the motion passes them.
 class PixelCourse {
  public:
-  /// @param pixels of the blocks' rows; null if no block has a row
+  /// @param pixels pixels of the rows of all blocks; null if no block has a row
   explicit PixelCourse(Pixels* pixels) : pixels_{pixels} {}
 
-  /// Begins a block. @param length of the block
+  /// Begins a block. @param length length of the block
   void begin(const Block& block, PathUnits length);
-  /// Sets the present position on the block.
+  /// Sets the present position on the block, and uses up the pixels before it.
   void pass(PathUnits place);
   /// Returns the position of the next change of power, or the end of the block.
   [[nodiscard]] PathUnits next_change() const { return change_; }
@@ -40,7 +40,9 @@ class PixelCourse {
   SourceLine line_{};
 };
 
-/// Returns the source line that is being driven, or that comes first. @param block the oldest block
+/// Returns the source line that is being driven or will be driven next. It is the line of the next
+/// pixel if this pixel belongs to the row of `block`, otherwise the line of `block`.
+/// @param block the oldest block of the queue
 [[nodiscard]] SourceLine line_of(const Block& block, const Pixels& pixels);
 
 }  // namespace cnc::motion

@@ -12,14 +12,14 @@ namespace cnc::motion {
 struct PlannedSlice {
   AxisArray<StepPosition> end{};
   std::uint32_t duration_ns = 0;
-  float start_duty = 0.0F;  ///< Duty of the output at the start, 0…1; it changes evenly.
+  float start_duty = 0.0F;  ///< Duty at the start, 0…1; it changes linearly to end_duty.
   float end_duty = 0.0F;
   OutputChanges outputs{};  ///< Changes at the start of the slice.
   SourceLine line{};
 };
 
-/// Adds `later` to the changes that are pending. If both change the same output before a segment,
-/// the later change wins.
+/// Adds the changes `later` to the changes `pending`, which take effect together. If both change
+/// the same output, `later` wins.
 inline void merge(OutputChanges& pending, const OutputChanges& later) {
   pending.raise = static_cast<std::uint8_t>((pending.raise & ~later.lower) | later.raise);
   pending.lower = static_cast<std::uint8_t>((pending.lower & ~later.raise) | later.lower);

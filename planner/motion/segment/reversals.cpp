@@ -8,12 +8,13 @@
 namespace cnc::motion {
 namespace {
 
-/// A reversal nearer than this to an end of the block counts as being at that end: in between, the
-/// axis moves by R · 1e-10.
+/// Greatest distance, in quarter turns, from an end of the block at which a reversal counts as
+/// being at that end. Over this distance, the axis moves by R · 1e-10 on an arc of radius R.
 constexpr float kSliverQuarters = 1.0e-5F;
 
-/// A little more than a span of the plan's grid, so that a slice that begins at the boundary of
-/// such a span counts as near.
+/// Greatest distance from a reversal, in quarter turns, that counts as near. It is a little more
+/// than a span of the plan's grid. So a slice that begins at the boundary of a span next to a
+/// reversal counts as near, too.
 constexpr float kNearQuarters = 1.01F / 24.0F;
 
 }  // namespace
@@ -35,7 +36,7 @@ PathUnits Reversals::place_of(float quarters) const {
   return std::min(to_units(share * to_mm(length_)), length_);
 }
 
-/// Returns the last reversal up to an angle, both in quarter turns.
+/// Returns the angle of the last reversal up to the angle `quarters`, both in quarter turns.
 float Reversals::last_until(float quarters) const {
   float last = quarters - 2.0F;
   for (const float at : turns()) {

@@ -8,23 +8,23 @@
 
 namespace cnc::motion {
 
-/// The positions on an arc where an axis of its plane reverses: in a coordinate plane at each
-/// quarter turn of the tangent. A straight block has none. The reversals before and after the
+/// The positions on an arc where an axis of its plane reverses. In a coordinate plane, these are at
+/// each quarter turn of the tangent. A straight block has none. The reversals before and after the
 /// present position are stored, so that each slice costs comparisons only.
 class Reversals {
  public:
   Reversals() = default;
-  /// Starts at the start of the block.
+  /// Finds the reversals of a block, with the present position at its start.
   Reversals(const Block& block, PathUnits length);
 
-  /// Sets the present position on the block, which only grows.
+  /// Sets the present position on the block, which must not decrease.
   void pass(PathUnits place) {
     if (place >= next_ && next_ < length_) look_on_from(place);
   }
   /// Returns the first reversal after the present position, or the end of the block.
   [[nodiscard]] PathUnits next() const { return next_; }
-  /// Returns whether a reversal is so near `place` that the speed of an axis soon changes by more
-  /// than its present value: within a 96th of a turn.
+  /// Returns whether `place` is within a 96th of a turn of a reversal. So near to a reversal, the
+  /// speed of an axis soon changes by more than its present value.
   [[nodiscard]] bool near(PathUnits place) const {
     return place < near_until_ || place > near_from_;
   }
@@ -36,14 +36,18 @@ class Reversals {
   [[nodiscard]] float last_until(float quarters) const;
   [[nodiscard]] float first_behind(float quarters) const;
 
-  AxisArray<float> turns_{};    ///< Angle at which each axis reverses, in quarter turns…
-  std::size_t turn_count_ = 0;  ///< …and every half turn from there; number of these angles.
+  /// An angle at which each axis reverses, in quarter turns. The axis reverses at every half turn
+  /// from this angle, too.
+  AxisArray<float> turns_{};
+  std::size_t turn_count_ = 0;  ///< Number of angles in turns_.
   PathUnits length_ = 0;
   PathUnits next_ = 0;
-  PathUnits near_until_ = 0;  ///< End of the positions near the reversal passed last.
+  PathUnits near_until_ = 0;  ///< End of the positions near the last reversal passed.
   PathUnits near_from_ = 0;   ///< Start of the positions near the next reversal.
-  float start_ = 0.0F;        ///< Tangent at the start in quarter turns, mirrored so that it grows.
-  float sweep_ = 0.0F;        ///< Sweep in quarter turns; 0 for a straight block.
+  /// Angle of the tangent at the start, in quarter turns; mirrored on a clockwise arc, so that the
+  /// angle grows.
+  float start_ = 0.0F;
+  float sweep_ = 0.0F;  ///< Sweep in quarter turns; 0 for a straight block.
 };
 
 }  // namespace cnc::motion

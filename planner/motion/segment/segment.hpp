@@ -10,13 +10,13 @@
 
 namespace cnc::motion {
 
-/// The clock of the step generator. 4 MHz divides the timer clock of the STM32F405 (84 MHz / 21). A
-/// tick is a whole number of nanoseconds (250), a hundred times finer than the timing promise of 25
-/// µs.
+/// Frequency of the step generator's clock, in Hz. It divides the timer clock of the STM32F405 (84
+/// MHz / 21). A tick is a whole number of nanoseconds (250), a hundred times finer than the timing
+/// promise of 25 µs.
 inline constexpr std::uint32_t kTicksPerSecond = 4'000'000;
 inline constexpr std::uint32_t kNsPerTick = 1'000'000'000 / kTicksPerSecond;
 
-/// The integer that means full output, of the beam or spindle or of an analog channel.
+/// Integer value of full output of the beam, the spindle or an analog channel.
 inline constexpr float kFullOutput = 65535.0F;
 
 /// Steps of one motor within a segment. Step k (0, 1, …) is due at
@@ -30,8 +30,8 @@ struct StepTrain {
   std::uint16_t count = 0;
 };
 
-/// A stretch of the beam or spindle output. It starts at `first` and changes by `growth_q8` / 256
-/// every `interval` ticks. It never leaves 0…65535.
+/// Profile of the beam or spindle output over a part of the motion. The output starts at `first`,
+/// changes by `growth_q8` / 256 every `interval` ticks, and never leaves 0…65535.
 struct PowerCourse {
   static constexpr std::uint16_t kLongestInterval = kTicksPerSecond / 10'000;  ///< 100 µs.
 
@@ -43,30 +43,32 @@ struct PowerCourse {
   constexpr bool operator==(const PowerCourse&) const = default;
 };
 
-/// A level of the output: `duty`, from tick `from` of a segment on.
+/// A constant level of the output, `duty`, that begins at tick `from` of a segment.
 struct PowerLevel {
   std::uint16_t from = 0;
   std::uint16_t duty = 0;  ///< 65535 is full.
 };
 
-/// A part of the motion as the step interrupt plays it: one slice, or short slices joined, of at
-/// most a millisecond. All values are plain integers. No axis reverses within a segment.
+/// A part of the motion that the step interrupt executes: one slice, or several short slices
+/// joined. It lasts at most a millisecond. All values are plain integers. No axis reverses within a
+/// segment.
 struct Segment {
-  /// Enough for a segment of 250 µs with pixels of 36 µs: one level for each pixel except the
-  /// first.
+  /// Greatest number of levels. It is enough for a segment of 250 µs with pixels of 36 µs: `power`
+  /// gives the output of the first pixel, and each further pixel has a level.
   static constexpr std::size_t kMaxLevels = 6;
 
   std::uint32_t ticks = 0;    ///< Length of the segment.
   PowerCourse power{};        ///< Output up to the first level, or over the whole length.
   std::uint8_t negative = 0;  ///< Bit i: axis i runs backwards.
   std::uint8_t level_count = 0;
-  bool comes_to_rest = false;  ///< The plan is at rest after it: an empty queue is no fault.
-  OutputChanges outputs{};     ///< Changes at the start of the segment.
-  SourceLine line{};           ///< Line at the start of the segment, or one before.
+  /// True if the motion is at rest after the segment. Then an empty queue is no fault.
+  bool comes_to_rest = false;
+  OutputChanges outputs{};  ///< Changes at the start of the segment.
+  SourceLine line{};        ///< Source line at the start of the segment, or an earlier line.
   std::array<PowerLevel, kMaxLevels> levels{};  ///< In order of time, all within the segment.
   AxisArray<StepTrain> trains{};
 
-  /// Returns whether the output is 0 all along.
+  /// Returns whether the output is 0 during the whole segment.
   [[nodiscard]] constexpr bool dark() const {
     for (std::size_t i = 0; i < level_count; ++i) {
       if (levels[i].duty != 0) return false;

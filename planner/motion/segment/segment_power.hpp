@@ -9,7 +9,7 @@
 
 namespace cnc::motion {
 
-/// Output over the slices of the segment that is being made. It is one even slope or, if the duty
+/// Output over the slices of the segment that is being made. It is one linear slope or, if the duty
 /// jumps between two slices, one level for each slice.
 ///
 /// If there are more slices than a segment has levels, or than LevelRate allows, several slices
@@ -20,20 +20,20 @@ class SegmentPower {
     count_ = 0;
     jumps_ = false;
   }
-  /// Adds a slice in which the duty goes evenly from `start` to `end`, 0…1.
+  /// Adds a slice in which the duty, 0…1, changes linearly from `start` to `end`.
   void add(float start, float end, std::uint32_t duration_ns);
   /// Returns the duty at the end of the slice that was added last, 0…1. @pre a slice has been added
   [[nodiscard]] float end_duty() const { return end_; }
-  /// Writes the output over the whole segment. The ticks of the segment are set already.
-  /// @param rest_ns planned time that earlier segments have left to this one; a negative time was
-  /// taken in advance by them
-  /// @pre a slice has been added
+  /// Writes the output of all slices to `segment`.
+  /// @param rest_ns planned time that earlier segments have left to this one; a negative value is
+  /// time that they have taken in advance
+  /// @pre a slice has been added, and the ticks of `segment` are set
   void write(std::int32_t rest_ns, Segment& segment) const;
 
  private:
   struct Piece {
     std::uint32_t duration_ns = 0;
-    float energy_ns = 0.0F;  ///< Integral of the duty over time.
+    float energy_ns = 0.0F;  ///< Integral of the duty over time, ns.
 
     [[nodiscard]] std::uint16_t output() const;
   };

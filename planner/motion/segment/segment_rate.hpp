@@ -7,17 +7,18 @@
 
 namespace cnc::motion {
 
-/// Limits how many short parts in a row go into a queue to the step interrupt.
+/// Limits the number of short parts in a row that go into a queue to the step interrupt. A part is
+/// a segment or a level of the output.
 ///
-/// The queue holds a fixed number of parts, which have to last until the next ones come in. So on
-/// average each part must last a shortest time. Longer parts save time for shorter ones, up to the
-/// time of kMaxShort parts. A motion that takes the time T has at most T / shortest + kMaxShort
-/// parts.
+/// The queue holds a fixed number of parts, which have to last until the next ones come in. So the
+/// mean duration of parts must be at least a given time, `shortest`. By the time by which parts are
+/// longer than that, later parts may be shorter, up to kMaxShort · shortest in total. So a motion
+/// of duration T has at most T / shortest + kMaxShort parts.
 class PartRate {
  public:
   static constexpr std::int32_t kMaxShort = 12;
 
-  /// Returns whether the next part may be shorter than the shortest time.
+  /// Returns whether the next part may be shorter than `shortest`.
   [[nodiscard]] bool allows_short() const { return spare_ >= shortest_; }
   /// Counts the beginning of a part.
   void begin() { spare_ -= shortest_; }
@@ -31,11 +32,12 @@ class PartRate {
 
  private:
   std::int32_t shortest_;
-  std::int32_t spare_ = kMaxShort * shortest_;  ///< Time that earlier parts have saved.
+  /// Time by which later parts may be shorter than `shortest`.
+  std::int32_t spare_ = kMaxShort * shortest_;
 };
 
-/// Limits the rate of segments; times are in ticks. Motors and beams do not react to segments of
-/// the shortest time, and 63 of these last six milliseconds.
+/// Limits the rate of segments; times are in ticks. Motors and beams are too slow to respond to a
+/// single segment of the shortest time. A queue of 63 such segments lasts six milliseconds.
 class SegmentRate : public PartRate {
  public:
   static constexpr std::int32_t kShortest = kTicksPerSecond / 10'000;
@@ -44,8 +46,8 @@ class SegmentRate : public PartRate {
   SegmentRate() : PartRate{kShortest} {}
 };
 
-/// Limits the rate of levels of the output; times are in nanoseconds. At 32,000 levels a second,
-/// 256 of them last eight milliseconds.
+/// Limits the rate of levels of the output; times are in nanoseconds. At 32,000 levels per second,
+/// a queue of 256 levels lasts eight milliseconds.
 class LevelRate : public PartRate {
  public:
   static constexpr std::int32_t kShortest = 31'250;

@@ -11,9 +11,10 @@ namespace cnc::motion {
 namespace {
 
 constexpr std::uint32_t kLongestSliceNs = 1'000'000;
-/// Longest slice where the speed changes much.
+/// Longest slice where the speed of the path or of an axis changes by more than a third.
 constexpr std::uint32_t kShortSliceNs = 250'000;
-/// Shorter slices are joined to segments, each of which one parabola fits.
+/// Slices shorter than this are joined to one segment, which is still short enough that a parabola
+/// fits its step times.
 constexpr std::uint32_t kShortestNs = SegmentRate::kShortest * kNsPerTick;
 constexpr std::uint32_t kLongestJoinedNs = 2 * kShortestNs;
 
@@ -66,10 +67,11 @@ AxisArray<StepPosition> Segmenter::motors() const {
 }
 
 bool Segmenter::next(Segment& segment) {
-  // A segment shorter than a tick is driven but not handed out. Blocks of a few nanometres at full
-  // speed need several of these for one segment.
+  // A segment shorter than a tick is not handed out; its time goes into the next segment. With
+  // blocks of a few nanometres at full speed, several slices are necessary for one segment.
   constexpr int kMaxShortSlices = 64;
-  // The last segment before rest is always handed out, because it carries comes_to_rest.
+  // The last segment before a rest is handed out even if it is shorter than a tick, because it
+  // carries comes_to_rest.
   for (int slices = 0; slices < kMaxShortSlices; ++slices) {
     if (!ready_stretch()) {
       if (slices == 0) return false;
@@ -117,7 +119,8 @@ void Segmenter::make_segment(Segment& segment) {
     joined_.time(place_steps_, segment);
     output_.write(rest_ns, segment);
   } else {
-    // Reports the rest in a segment of one tick, which the next one gives back.
+    // No block is left. Reports the rest of the motion in a segment of one tick. The next segment
+    // is shorter by this tick.
     pass_to_rest();
     segment.power = {};
     segment.level_count = 0;
@@ -138,7 +141,7 @@ void Segmenter::begin_joined() {
   }
 }
 
-/// Cuts the next slice, over one pixel or over several short ones, and joins it to the segment.
+/// Cuts the next slice, over one pixel or over several short pixels, and joins it to the segment.
 void Segmenter::join_next(std::uint32_t max_ns) {
   if (pixels_are_short()) {
     const End end = end_of_slice(reversals_.next(), kShortSliceNs);
@@ -150,14 +153,15 @@ void Segmenter::join_next(std::uint32_t max_ns) {
   join(cut);
 }
 
-/// Returns whether the power of a row changes sooner than a segment should end.
+/// Returns whether the power of a row changes before a segment of the shortest duration would end.
 bool Segmenter::pixels_are_short() {
   if (power_.next_change() >= length_) return false;
   return power_.changes_before(stretch_.place_after(stretch_.elapsed_ns() + kShortestNs));
 }
 
-/// Adds the powers of pixels up to the end of a slice. Within the slice, speed is taken to grow
-/// evenly with distance: at 10,000 mm/s² a change of power is at most 0.1 µm from its position.
+/// Adds the power of each pixel up to the end of a slice. Within the slice, the speed is assumed to
+/// change linearly with distance. At 10,000 mm/s², this error moves a change of power by at most
+/// 0.1 µm.
 void Segmenter::add_pixels(const End& end) {
   const float way_mm = to_mm(end.place - place_);
   const float ns_per_mm = static_cast<float>(end.ns - stretch_.elapsed_ns()) / way_mm;
@@ -185,8 +189,9 @@ void Segmenter::join(const Cut& cut) {
   }
 }
 
-/// Returns whether a slice is to be joined to the segment: the segment is short, and the motion
-/// continues in the same way. Makes sure that there is such a slice.
+/// Returns whether the next slice is to be joined to the segment, and makes sure that this slice
+/// exists. The segment must be short, no outputs may change, and each motor must continue in its
+/// direction. The power must not jump, unless SegmentRate allows no short segment.
 bool Segmenter::joins_next() {
   if (joined_.duration_ns() >= kShortestNs || speed_ <= 0.0F || !ready_stretch()) return false;
   if (!driving_ && (queue_.empty() || queue_.front().outputs.any())) return false;
@@ -196,7 +201,7 @@ bool Segmenter::joins_next() {
 }
 
 /// Returns whether each motor continues in the direction of the joined slices. No axis reverses
-/// before the next reversal, so the distance up to there gives the direction.
+/// before the next reversal, so the distance up to there gives the direction of each motor.
 bool Segmenter::goes_on_as_joined() {
   const PathUnits next = reversals_.next();
   if (place_ > 0 && next == monotonic_to_) return true;
@@ -223,8 +228,8 @@ bool Segmenter::ready_stretch() {
   return true;
 }
 
-/// Begins the front block unless it is begun. Returns false if there is none: in the time in which
-/// the motion comes to rest, nothing may be left to drive.
+/// Begins the front block unless it has begun. Returns false if the queue is empty, which is
+/// possible while the motion comes to rest.
 bool Segmenter::ready_block() {
   if (driving_) return true;
   if (queue_.empty()) return false;
@@ -238,7 +243,7 @@ void Segmenter::begin_block() {
   length_ = length_in_units(block);
   fraction_ = BlockFraction{length_};
   reversals_ = Reversals{block, length_};
-  // Under a window, stretches are short anyway.
+  // Under a time window, stretches are so short that this limit is not necessary.
   const bool widely = block.turns() && !plan_.window().filters();
   widest_mm_ = widely ? kWidestSlice * block.length / std::abs(block.turn.half_sweep) : kFar;
   power_.begin(block, length_);
@@ -259,9 +264,10 @@ void Segmenter::end_block() {
   place_ = 0;
 }
 
-/// Returns the longest time of the next slice. Slices are shorter where the speed of the path or of
-/// an axis changes by more than a third of itself. On an arc they turn by at most a 48th of a turn.
-/// So a parabola in the step index fits. All slices of a stretch are equally long.
+/// Returns the greatest duration of the next slice, in ns. Slices are shorter where the speed of
+/// the path or of an axis changes by more than a third. On an arc, a slice turns by at most a 48th
+/// of a turn. So a parabola in the step index fits the step times. What is left of a stretch is
+/// divided into slices of equal duration.
 std::uint32_t Segmenter::longest_slice_ns() const {
   const std::uint32_t left = stretch_.left_ns();
   std::uint32_t longest = kShortSliceNs;
@@ -286,7 +292,8 @@ Segmenter::Cut Segmenter::cut_slice(std::uint32_t max_ns) {
   return cut(end_of_slice(std::min(reversals_.next(), power_.next_change()), max_ns));
 }
 
-/// Returns the end of the next slice: at `stop`, or earlier if its time is over before.
+/// Returns the end of the next slice: at `stop`, or earlier if the greatest duration of a slice or
+/// `max_ns` ends before.
 Segmenter::End Segmenter::end_of_slice(PathUnits stop, std::uint32_t max_ns) {
   End end{.ns = stretch_.elapsed_ns() + std::min(longest_slice_ns(), max_ns)};
   end.place = stretch_.place_after(end.ns);
@@ -340,7 +347,7 @@ void Segmenter::follow_kerf_to(PathUnits end, std::uint64_t fraction) {
 }
 
 /// Returns the heat input divided by the programmed one: the ratio of powers, divided by the ratio
-/// of speeds. M3 or M4 decides how the power follows the speed here.
+/// of speeds. Under M4 the power follows the speed. Under M3 it is constant.
 float Segmenter::heat() const {
   constexpr float kSlowest = 1.0e-3F;  // mm/s
   const Block& block = queue_.front();

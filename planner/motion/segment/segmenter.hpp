@@ -17,10 +17,11 @@
 
 namespace cnc::motion {
 
-/// A slice of the plan as driven: constant acceleration along one block.
+/// A slice of the driven motion: constant acceleration along a part of one block.
 struct Slice {
   std::uint32_t block = 0;  ///< Number of the block since the last reset, from 0.
-  /// Fraction of the block's length at the start; 2^32 is its end.
+  /// Fraction of the block's length at the start of the slice, in Q32; 2^32 is the end of the
+  /// block.
   std::uint64_t from_fraction = 0;
   std::uint64_t to_fraction = 0;
   float start_speed = 0.0F;   ///< mm/s.
@@ -43,18 +44,18 @@ class SliceObserver {
 /// the plan so that a slice lies in one block and one pixel, lasts at most a millisecond and
 /// reverses no axis. A change of the plan, an override or a hold takes effect at the next stretch.
 ///
-/// A slice shorter than SegmentRate::kShortest goes out in one segment with the slices after it, so
-/// that a queue of segments lasts long enough. A segment is shorter than that only where an axis
+/// A slice shorter than SegmentRate::kShortest is joined to one segment with the slices after it,
+/// so that a queue of segments lasts long enough. A segment is shorter than that only where an axis
 /// reverses, the power jumps, outputs change or the motion ends. Where the power jumps so often
-/// that the queue would not last, a segment has a level for each of its slices. A slice continues
-/// over pixels that are shorter than kShortest; each of these has a level, too.
+/// that the queue would not last, a segment has a level for each of its slices. Where pixels are
+/// shorter than kShortest, one slice covers several of them, and each of these pixels has a level.
 ///
-/// Main loop only. All state is that at the end of the last slice handed out.
+/// Main loop only. The state of the object is the state at the end of the last slice handed out.
 class Segmenter {
  public:
   static constexpr float kLongestSlice = 1.0e-3F;  ///< s.
 
-  /// @param pixels of the blocks' rows; null if no block has a row
+  /// @param pixels pixels of the rows of all blocks; null if no block has a row
   Segmenter(BlockQueue& queue, const Limits& limits, Pixels* pixels = nullptr)
       : queue_{queue}, limits_{limits}, plan_{queue, limits}, power_{pixels} {}
 
@@ -73,7 +74,7 @@ class Segmenter {
 
   /// Returns whether nothing is left to hand out.
   [[nodiscard]] bool idle() const { return !driving_ && queue_.empty(); }
-  /// Returns whether the motion is at rest. If driving_ is set, it is halted within a block.
+  /// Returns whether the motion is at rest. It may be halted within a block.
   [[nodiscard]] bool at_rest() const { return speed_ <= 0.0F; }
   /// Returns the position at the end of the last slice handed out.
   [[nodiscard]] const AxisArray<StepPosition>& place() const { return place_steps_; }
@@ -81,7 +82,7 @@ class Segmenter {
   [[nodiscard]] float left_of_block() const {
     return driving_ ? to_mm(length_ - place_) : queue_.front().length;
   }
-  /// Returns the distance from the start of the oldest block. @pre !idle()
+  /// Returns the distance from the start of the oldest block, in path units. @pre !idle()
   [[nodiscard]] PathUnits into_block() const { return driving_ ? place_ : 0; }
   /// Returns the running length of all motion that was handed out (wraps). Motion that was taken
   /// back no longer counts.
@@ -91,21 +92,23 @@ class Segmenter {
   /// Returns the speed at the end of the last slice handed out, in mm/s.
   [[nodiscard]] float speed() const { return speed_; }
   /// Returns the speed of the plan, in mm/s. Where jerk is limited, the plan is ahead of the motion
-  /// that was handed out, because the motion is the mean of the plan over the window.
+  /// that was handed out, because the motion is the mean of the plan over a time window.
   [[nodiscard]] float planned_speed() const { return plan_.planned_speed(); }
   [[nodiscard]] const TimeWindow& window() const { return plan_.window(); }
   [[nodiscard]] bool halted() const { return plan_.halts() && at_rest(); }
 
-  /// Lets the motors follow the kerf of the driven power and speed on blocks that have an edge.
-  /// Slices then end off the path, but segments do not. Null stops following.
+  /// Makes the motors follow the kerf at the driven power and speed, on blocks next to an edge. The
+  /// ends of planned slices then include the shift for the kerf; segments do not. Null stops
+  /// following.
   /// @param course must outlive its use
-  /// @pre at rest, and on the path
+  /// @pre at rest, and on_path()
   void follow_kerf(const kerf::KerfCourse* course) { kerf_.follow(course); }
   [[nodiscard]] bool follows_kerf() const { return kerf_.follows(); }
-  /// Returns whether the motors are at place(), apart from the correction for a tool's centre.
+  /// Returns whether the kerf does not shift the motors away from the path at present.
   [[nodiscard]] bool on_path() const { return kerf_.settled(); }
 
-  /// Lets slices end at the axis positions at which the tip is at place(). Segments do not.
+  /// Converts the ends of planned slices from positions of the tool's tip to positions of the axes.
+  /// Segments are not converted.
   /// @param centre must outlive its use; null if rotary axes do not move the tip
   /// @pre at rest
   void follow_centre(const kinematics::ToolCentre* centre) { centre_ = centre; }
@@ -116,7 +119,7 @@ class Segmenter {
   void reset(const AxisArray<StepPosition>& place);
   /// Continues from rest at `place` on the block at the front of the queue, after blocks were taken
   /// back.
-  /// @param distance that was handed out beyond `place`
+  /// @param distance length of the motion beyond `place` that was already handed out
   /// @pre at rest; 0 ≤ place < length of that block
   void go_back(PathUnits place, PathUnits distance);
   /// Returns the position of the motors after the last slice: place(), with the shift for the kerf
@@ -134,7 +137,7 @@ class Segmenter {
     float start = 0.0F;
     float end = 0.0F;
   };
-  /// A slice that was cut.
+  /// A slice that was cut from the plan: its end, its duration and its output.
   struct Cut {
     MotorPath::Point to{};
     std::uint32_t duration_ns = 0;
@@ -175,10 +178,10 @@ class Segmenter {
   FilteredPlan plan_;
   StretchInProgress stretch_{};
 
-  bool driving_ = false;    ///< The front block has been begun.
+  bool driving_ = false;    ///< True if the front block has begun.
   PathUnits length_ = 0;    ///< Length of the front block.
-  PathUnits place_ = 0;     ///< Position within the front block.
-  float widest_mm_ = 0.0F;  ///< Greatest length of a slice because of its turning.
+  PathUnits place_ = 0;     ///< Position within the front block, in path units.
+  float widest_mm_ = 0.0F;  ///< Greatest length of a slice that the block's turning allows, mm.
   BlockFraction fraction_{};
   Reversals reversals_{};
   PixelCourse power_;
@@ -191,15 +194,16 @@ class Segmenter {
 
   // The segment being made.
   JoinedSlices joined_{};
-  PathUnits monotonic_to_ = 0;  ///< Up to here no axis reverses on the block begun last.
+  /// Position up to which no axis reverses on the block that began last.
+  PathUnits monotonic_to_ = 0;
   SourceLine line_{};
   SegmentPower output_{};
   SegmentRate rate_{};
 
   SliceObserver* observer_ = nullptr;
   std::uint32_t blocks_ended_ = 0;
-  std::uint64_t ended_ = 0;  ///< Total length of the blocks that ended.
-  OutputChanges outputs_{};  ///< Changes that are not handed out yet.
+  std::uint64_t ended_ = 0;  ///< Total length of the blocks that ended, in path units.
+  OutputChanges outputs_{};  ///< Output changes that are not handed out yet.
 };
 
 }  // namespace cnc::motion

@@ -49,8 +49,8 @@ StepTrain time_steps(const AxisSlice& slice, float shift) {
   const std::int32_t steps = slice.to.nearest_step() - start_step;
   if (steps == 0) return {};
   const bool forward = steps > 0;
-  // The plan has at most one step per tick, plus one by rounding. More means that memory has
-  // changed.
+  // The plan has at most one step per tick, plus one by rounding. A greater number means that
+  // memory was corrupted.
   CNC_ASSERT(static_cast<float>(forward ? steps : -steps) <= slice.ticks + 1.0F);
   const std::int64_t from = slice.from.q32();
   const std::int64_t travel = slice.to.q32() - from;
@@ -73,8 +73,8 @@ StepTrain time_steps(const AxisSlice& slice, float shift) {
     train.interval_q16 = to_q16(mean);
     return train;
   }
-  // The parabola goes through the first step, the middle step m and the last step n. The mean
-  // interval up to step k is I + (k − 1)/2 · G.
+  // The parabola goes through the first step, the middle step m and the last step n. With the first
+  // interval I and its growth G, the mean interval up to step k is I + (k − 1)/2 · G.
   const auto middle_index = static_cast<float>(train.count >> 1U);
   const float middle = motion.time_to(first_edge + middle_index);
   const float mean_to_middle = (middle - first) / middle_index;

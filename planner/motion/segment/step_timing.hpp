@@ -16,14 +16,15 @@ struct AxisSlice {
 };
 
 /// Returns the times of the steps of a slice. A step is due where the planned position crosses half
-/// a step, so that the motor is always at the step nearest to the plan. The position is taken to be
-/// a parabola through `from` and `to` with the start speed.
+/// a step, so that the motor is always at the step nearest to the plan. Over time, the position is
+/// assumed to follow a parabola through `from` and `to` with the start speed.
 ///
 /// The times of up to three steps are exact. For more steps, the times of the first, the middle and
 /// the last one are exact, and the others lie on a parabola through these. If the speed changes by
 /// at most half within the slice, the error stays below 2 % of the slice.
 ///
-/// @param shift ticks by which the slice starts after its first whole tick
+/// @param shift time in ticks from the start of the segment to the start of the slice; may be
+/// negative
 [[nodiscard]] StepTrain time_steps(const AxisSlice& slice, float shift);
 
 }  // namespace cnc::motion
