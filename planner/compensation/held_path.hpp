@@ -23,7 +23,8 @@ using Place = std::array<Coordinate, 2>;
 enum class Kind : std::uint8_t { kParallel, kJoin };
 inline constexpr std::size_t kKinds = 2;
 
-/// The driven part of a raw curve. Points are in mm relative to the start of its element.
+/// The part of a raw curve that the tool drives. `live` is false if there is none. Points are in
+/// mm, relative to the start of the element of the raw curve.
 struct Stretch {
   bool live = false;
   bool exists = true;  ///< For a join: whether the corner opens a gap.
