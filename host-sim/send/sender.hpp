@@ -44,10 +44,11 @@ class Sender {
   enum class State : std::uint8_t {
     kMeeting,    ///< Waits for the controller's first report or banner.
     kAsking,     ///< Asks the controller for its free space; the controller must be idle.
-    kBeginning,  ///< Begins checked lines.
+    kBeginning,  ///< Switches the controller to checked lines (numbered, with a checksum).
     kSending,
-    kWaiting,   ///< Waits until the machine is at rest.
-    kEnding,    ///< Ends checked lines at rest. From here on, a damaged byte may act as a reset.
+    kWaiting,  ///< Waits until the machine is at rest.
+    /// Switches checked lines off, at rest. From now on, a damaged byte may act as a reset.
+    kEnding,
     kStopping,  ///< Holds, then resets, so that nothing of the job is left to continue.
     kDone,
     kFailed,  ///< trouble() has the reason.
