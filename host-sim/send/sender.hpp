@@ -112,8 +112,9 @@ class Sender {
     bool moves = false;                   ///< The feed is not 0.
     std::optional<std::uint32_t> room{};  ///< Free space for lines, bytes.
     Time at{};                            ///< When the report came.
-    unsigned count = 0;                   ///< Reports since the sender's state began.
-    unsigned idle_count = 0;              ///< The latest of these in a row that show it at rest.
+    unsigned count = 0;                   ///< Number of reports since the sender's state began.
+    /// Number of latest consecutive reports that show the machine at rest.
+    unsigned idle_count = 0;
   };
 
   // Lines from the controller, in sender.cpp.

@@ -137,9 +137,9 @@ class HeldPath {
   std::size_t size_ = 0;
   std::uint32_t forgotten_ = 0;
   // Numbers of elements, counted from the entry, which is 0.
-  std::uint32_t loop_start_ = 0;  ///< First element of the last outline; 0 if none has closed.
+  std::uint32_t loop_start_ = 0;  ///< First element of the last closed outline; 0 if there is none.
   std::uint32_t loop_end_ = 0;    ///< Last element of the last closed outline.
-  std::uint32_t rapid_ = 0;       ///< Last rapid; 0 if there has been no rapid.
+  std::uint32_t rapid_ = 0;       ///< Number of the last rapid; 0 if there was no rapid.
   float rounding_ = 0.0F;
 };
 
