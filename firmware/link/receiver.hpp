@@ -168,7 +168,8 @@ class Receiver {
   std::atomic<bool> status_{false};
   std::atomic<bool> full_status_{false};
   std::atomic<bool> late_hold_{false};  ///< A stop arrived while `commands_` had no free space.
-  /// Positions of the first line and of the first command after the last reset.
+  /// Positions in `lines_` and `commands_` at which the first line and the first command after the
+  /// last reset begin.
   std::atomic<std::uint32_t> lines_begin_{0};
   std::atomic<std::uint32_t> commands_begin_{0};
   /// Positions up to which lines had arrived at the last kToolAcknowledge and at the last cycle

@@ -14,11 +14,11 @@ namespace cnc {
 struct RestOfLine {
   gcode::Actions actions{};         ///< Views into the machine's interpreter.
   motion::OutputChanges outputs{};  ///< Changes that take effect with the next motion.
-  bool pauses = false;              ///< Single block pauses before the next line.
+  bool pauses = false;              ///< Whether the machine pauses after the line (single block).
 };
 
-/// The actions of the present line, in order, and how far the first of them has come: its path
-/// elements, its dwell or its pause.
+/// The actions of the present line that are not done yet, in order, and the progress of the first
+/// of them: its path elements, its dwell or its pause.
 class ActionsInProgress {
  public:
   // The line.
@@ -38,10 +38,11 @@ class ActionsInProgress {
   [[nodiscard]] bool pauses_after() const { return line_.pauses; }
   void end_pause_after() { line_.pauses = false; }
 
-  /// Sets the line aside, so that other lines can be done before it goes on.
+  /// Removes the present line and returns it. take_back() continues it after other lines were done.
   [[nodiscard]] RestOfLine set_aside() { return std::exchange(line_, {}); }
   void take_back(const RestOfLine& line) { line_ = line; }
-  /// Drops the rest of the line. Its outputs still change with the next motion.
+  /// Drops the rest of the line. The changes of outputs that it requested still take effect with
+  /// the next motion.
   void drop() {
     line_.actions = {};
     elements_.clear();
@@ -58,15 +59,16 @@ class ActionsInProgress {
   // Outputs that change with the next motion.
 
   [[nodiscard]] const motion::OutputChanges& outputs() const { return line_.outputs; }
-  /// Forgets the changes, because a motion has taken them.
+  /// Forgets the changes, because they were passed to a motion.
   void forget_outputs() { line_.outputs = {}; }
-  /// Returns whether an analog output other than `number` is to change. One change fits into a
-  /// motion.
+  /// Returns whether a change of an analog output other than `number` is waiting. A motion can take
+  /// only one analog change.
   [[nodiscard]] bool changes_other_analog(std::uint8_t number) const {
     const std::uint8_t channel = line_.outputs.analog_channel;
     return channel != motion::OutputChanges::kNoAnalog && channel != number;
   }
-  /// Adds a change. It replaces an earlier one of the same output, or of another analog output.
+  /// Adds a change of an output. It replaces a waiting change of the same output. An analog change
+  /// replaces the waiting analog change, also of another output.
   /// @param level 65535 is full scale
   void add_output(const gcode::OutputChange& change, std::uint16_t level) {
     motion::OutputChanges& next = line_.outputs;
@@ -84,12 +86,13 @@ class ActionsInProgress {
 
   /// Begins a cycle, with a new budget of spline points.
   void begin_cycle() { spline_points_ = kSplinePoints; }
-  /// Elements of the action being driven.
+  /// Returns the path elements of the present action.
   [[nodiscard]] ActionElements& elements() { return elements_; }
-  /// Works on the next element, as ActionElements does, within the budget of the cycle.
+  /// Computes the next path element within the cycle's budget of spline points; see
+  /// ActionElements::work().
   [[nodiscard]] bool work() { return elements_.work(spline_points_); }
 
-  /// Begins a dwell at the first call. Returns true when it is over.
+  /// Begins a dwell at the first call. Returns whether the dwell is over.
   [[nodiscard]] bool dwell(float seconds) {
     if (!is_dwelling_) dwell_.start(seconds);
     is_dwelling_ = !dwell_.over();
@@ -99,14 +102,14 @@ class ActionsInProgress {
   void pass(std::int32_t elapsed_us) { dwell_.pass(elapsed_us); }
   [[nodiscard]] bool is_dwelling() const { return is_dwelling_; }
 
-  /// Begins and ends a pause, in which the present action waits for the operator.
+  /// Begins a pause, in which the present action waits for the operator. end_pause() ends it.
   void pause() { is_paused_ = true; }
   void end_pause() { is_paused_ = false; }
   [[nodiscard]] bool is_paused() const { return is_paused_; }
 
  private:
-  /// Points of splines in a cycle: 0.4 ms on the emulated chip; the last step of a spline may take
-  /// as long again.
+  /// Number of spline points that may be evaluated in a cycle. They take 0.4 ms on the emulated
+  /// chip. The last step of a spline may double this time.
   static constexpr std::uint32_t kSplinePoints = 300;
 
   RestOfLine line_{};

@@ -4,8 +4,8 @@
 
 namespace cnc {
 
-/// The present alarm, and what leads to it: motion that stops on its path first, or motion that is
-/// cut off and dropped in a later cycle.
+/// The present alarm, and the steps before it. Either the motion first stops on its path and the
+/// alarm follows, or the motion is cut off and is dropped in a later cycle.
 class AlarmSequence {
  public:
   /// Returns the present alarm, or kNone.
@@ -14,25 +14,28 @@ class AlarmSequence {
   [[nodiscard]] bool needs_reset() const { return needs_reset_; }
   void set(Alarm alarm) { now_ = alarm; }
   void end() { now_ = Alarm::kNone; }
-  /// Requires a reset if `alarm` does: its cause must have been seen by the operator.
+  /// Requires a reset if `alarm` is one of the alarms that only a reset ends, so that the operator
+  /// checks the cause.
   void require_reset_for(Alarm alarm) {
     needs_reset_ = needs_reset_ || alarm == Alarm::kHardLimit || alarm == Alarm::kSoftLimit ||
                    alarm == Alarm::kCompensation || alarm == Alarm::kStoreDamaged;
   }
-  /// Sets whether a reset is required, whatever alarms came before.
+  /// Sets whether a reset is required, regardless of earlier alarms.
   void set_needs_reset(bool needs) { needs_reset_ = needs; }
 
-  /// Notes that the motion stops on its path, and that `alarm` follows at rest.
+  /// Notes that the motion is stopping on its path, and that `alarm` must be raised once all axes
+  /// are at rest.
   void stop_for(Alarm alarm) { stopping_for_ = alarm; }
   [[nodiscard]] bool stops() const { return stopping_for_ != Alarm::kNone; }
-  /// Returns the alarm that follows at rest. @pre stops()
+  /// Returns the alarm to raise once all axes are at rest. @pre stops()
   [[nodiscard]] Alarm stopping_for() const { return stopping_for_; }
 
-  /// Notes that the motion was cut off. Its rest is to be dropped when the motors have stopped.
+  /// Notes that the motion was cut off. The remaining motion must be dropped when the motors have
+  /// stopped.
   void cut_off() { cuts_off_ = true; }
   [[nodiscard]] bool cuts_off() const { return cuts_off_; }
 
-  /// Ends a stop and a cut-off, because all motion has been dropped. The alarm stays.
+  /// Ends the stop or the cut-off, because all motion has been dropped. The present alarm stays.
   void drop() {
     stopping_for_ = Alarm::kNone;
     cuts_off_ = false;

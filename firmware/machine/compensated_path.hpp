@@ -7,11 +7,12 @@
 
 namespace cnc {
 
-/// The path under G41 and G42: what these have set, the compensator that offsets the path, and the
-/// kerf that gives its width.
+/// The path under G41 and G42: the state that these words have set, the compensator that offsets
+/// the path, and the kerf that determines the offset.
 ///
 /// Compensation begins with the entry, the first motion in the plane after G41 or G42. After G40
-/// the machine is beside the programmed path until the exit, the first motion in the plane.
+/// the machine stays at the offset from the programmed path until the exit, the first motion in the
+/// plane after G40.
 class CompensatedPath : private compensation::Compensator {
  public:
   using Compensator::active;
@@ -32,27 +33,30 @@ class CompensatedPath : private compensation::Compensator {
   /// @param table its view must outlive its use
   void use_kerf(const kerf::SelectedTable& table) { kerf_ = table; }
   [[nodiscard]] const kerf::SelectedTable& kerf() const { return kerf_; }
-  /// Returns the course of the kerf from a condition on; valid until the next call.
+  /// Returns the displacement of the kerf's edge as a function of the heat input, for the
+  /// programmed condition. The result is valid until the next call.
   /// @pre the table has a kerf for the condition
   [[nodiscard]] const kerf::KerfCourse& course_from(const kerf::Condition& condition);
 
   // G41, G42 and G40.
 
-  /// Sets compensation, for the entry to begin.
+  /// Stores the compensation of G41 or G42. It begins with the entry.
   /// @pre wanted.side is not kOn
   void set(const gcode::CutterCompensation& wanted, Plane plane) {
     wanted_ = wanted;
     wanted_plane_ = plane;
   }
-  /// Ends what set() began; the exit still keeps the kerf.
+  /// Cancels the compensation that set() stored. by_kerf() does not change before the end of the
+  /// exit.
   void cancel() { wanted_.side = gcode::CutterSide::kOn; }
-  /// Returns whether compensation is active, from G41 or G42 until all motion up to G40 is taken.
+  /// Returns whether the path is compensated: from G41 or G42 until all motion before G40 has been
+  /// taken from the compensator.
   [[nodiscard]] bool compensates() const { return is_wanted() || active(); }
-  /// Returns whether the width is that of the kerf, up to the end of the exit.
+  /// Returns whether the kerf determines the offset. This holds until the end of the exit.
   [[nodiscard]] bool by_kerf() const { return wanted_.by_kerf; }
   /// Notes that the exit was driven.
   void end_exit() { wanted_.by_kerf = false; }
-  /// Forgets everything but the kerf table.
+  /// Resets everything except the kerf table.
   void reset() {
     wanted_ = {};
     clear();
@@ -64,11 +68,12 @@ class CompensatedPath : private compensation::Compensator {
   /// because `element` moves no axis of the plane.
   /// @pre the element moves
   [[nodiscard]] bool begin_with(const PathElement& element);
-  /// Takes an element that is driven without an offset. If the machine is beside the path, the axes
-  /// of the plane stay where they are.
+  /// Prepares an element that is driven without an offset. If the machine is at the offset from the
+  /// programmed path, removes the motion of the plane's axes from the element.
   void move_apart(PathElement& element);
-  /// Returns whether a straight motion to `end` leaves the machine beside the path, because it
-  /// moves no axis of the plane. A motion of no length is an exit, too.
+  /// Returns whether the machine is still at the offset from the programmed path after a straight
+  /// motion to `end`, because this motion moves no axis of the plane. A motion of length 0 is an
+  /// exit.
   [[nodiscard]] bool stays_beside(const Position& end) const;
 
  private:
@@ -77,7 +82,8 @@ class CompensatedPath : private compensation::Compensator {
   gcode::CutterCompensation wanted_{};  ///< State that G41 or G42 has set.
   Plane wanted_plane_ = Plane::kXY;     ///< Plane of G41 or G42.
   kerf::SelectedTable kerf_{};
-  kerf::KerfCourse course_{};  ///< Course of the kerf while the motors follow it.
+  /// Displacement of the kerf's edge, by which the motors correct the path.
+  kerf::KerfCourse course_{};
 };
 
 }  // namespace cnc

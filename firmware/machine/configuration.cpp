@@ -12,19 +12,21 @@ namespace {
 
 constexpr float kTicksPerMicrosecond = static_cast<float>(motion::kTicksPerSecond) * 1.0e-6F;
 
-/// Limit of all motors' steps together, for which the step interrupt is budgeted.
+/// Maximum sum of the step rates of all motors, in steps/s. The step interrupt is budgeted for it.
 constexpr float kMaxStepsPerSecond = 200'000.0F;
 
-/// Time from a due tick to its edges, in ticks. Pulse and pause count from their real edges, and on
-/// a processor the interrupt takes most of a microsecond to reach each of the two.
+/// Delay, in ticks, between the due time of a step pulse and its two real edges. The lengths of
+/// pulse and pause count from the real edges, and the interrupt takes most of a microsecond to
+/// reach each edge.
 constexpr float kTicksToEdges = 8.0F;
 
-/// Share of the resulting slots that a motor may use, so that lateness never adds up.
+/// Share of the maximum step rate that a motor may use. The reserve prevents lateness of steps from
+/// accumulating.
 constexpr float kSlotUse = 0.97F;
 
-/// Farthest step of an axis: half of what AxisScale holds, so that the distance between both ends
-/// still fits, with the offset of a tool. Linear axes have the same reserve in nanometres for their
-/// arcs.
+/// Farthest position of an axis from zero, in steps. It is about half of AxisScale::kMaxSteps, so
+/// that the distance between both ends, plus the offset of a tool, still fits. Linear axes have the
+/// same reserve in nanometres, for arcs.
 constexpr std::int32_t kFarthestStep = AxisScale::kMaxSteps / 2 - (1 << 24);
 constexpr Coordinate farthest_on(std::size_t axis) {
   constexpr std::int64_t kMax = Coordinate::kFarthestNanometres;
@@ -32,8 +34,8 @@ constexpr Coordinate farthest_on(std::size_t axis) {
 }
 
 /// Returns the greatest distance of an axis from machine zero. All linear axes have the distance of
-/// the axis with the finest steps. The reason is that the chord of an arc is also counted turned by
-/// 90 degrees, in steps of the other axis.
+/// the linear axis with the most steps per mm. The reason is that the chord of an arc is also
+/// turned by 90 degrees, and then counted in steps of the other axis of the plane.
 Coordinate reach_on(const Settings& settings, std::size_t axis) {
   const bool is_linear = axis < kLinearAxisCount;
   const std::size_t begin = is_linear ? 0 : axis;
@@ -53,7 +55,7 @@ std::int32_t backlash_steps(const Settings& settings, std::size_t axis) {
   return static_cast<std::int32_t>(steps + 0.5F);
 }
 
-/// Returns the greatest step rate of a single motor, in steps/s.
+/// Returns the maximum step rate of a single motor, in steps/s.
 float max_of_one_motor(const Settings& settings) {
   const float slot = static_cast<float>(2U * step_timing_from(settings).pulse) + kTicksToEdges;
   return kSlotUse * static_cast<float>(motion::kTicksPerSecond) / slot;
@@ -80,7 +82,7 @@ motion::BacklashSetting backlash_from(const Settings& settings, std::size_t axis
           .rate = BacklashSetting::kRateShare * rate,
           .acceleration = share * settings.get(setting::kAcceleration, axis),
           .jerk = share * settings.get(setting::kJerk, axis),
-          // Homing leaves the axis so, pulled off its switch.
+          // The pull-off at the end of homing was the last motion, in this direction.
           .starts_towards_plus = (homes_low >> axis & 1U) != 0};
 }
 

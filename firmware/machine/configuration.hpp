@@ -10,12 +10,13 @@
 
 namespace cnc {
 
-/// Conversions of the settings into the types and units of each module. For an axis with backlash
-/// the planner gets the limits that taking up the backlash leaves (BacklashSetting).
+/// Conversions of the settings into the types and units of each module. For an axis with backlash,
+/// the limits of the planner are reduced by the share that compensation of the backlash uses
+/// (BacklashSetting).
 [[nodiscard]] motion::Limits limits_from(const Settings& settings);
 [[nodiscard]] motion::MotorStageSetting motor_stage_from(const Settings& settings);
-/// Returns the response of a beam. For a spindle returns the neutral response: the output then
-/// follows S directly.
+/// Returns the response of the beam. For a spindle, returns the neutral response, so that the
+/// output is proportional to S.
 [[nodiscard]] motion::BeamResponse beam_response_from(const Settings& settings,
                                                       const motion::PowerTable& table);
 [[nodiscard]] gcode::Options gcode_options_from(const Settings& settings);

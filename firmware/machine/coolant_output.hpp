@@ -5,8 +5,8 @@
 
 namespace cnc {
 
-/// Mist and flood: the state that the program or the operator has set, and whether it is suspended
-/// (because a door is open).
+/// Outputs for mist and flood: the state that the program or the operator has set, and whether both
+/// are suspended because a door is open.
 class CoolantOutput {
  public:
   explicit CoolantOutput(hal::AuxiliaryOutputs& outputs) : outputs_{outputs} {}
@@ -19,14 +19,14 @@ class CoolantOutput {
     suspended_ = suspended;
     apply();
   }
-  /// Switches both off and ends the suspension, as after power-up.
+  /// Switches mist and flood off and ends the suspension. This is the state after power-up.
   void reset() {
     suspended_ = false;
     set({});
   }
 
   [[nodiscard]] gcode::Coolant wanted() const { return wanted_; }
-  /// Returns the coolant that really flows.
+  /// Returns the state of the outputs: the set state, or off while suspended.
   [[nodiscard]] gcode::Coolant now() const { return suspended_ ? gcode::Coolant{} : wanted_; }
 
  private:

@@ -6,42 +6,44 @@
 
 namespace cnc {
 
-/// Stages of an opened door, in order. The stages after kStopped lead back to the work.
+/// Stages after the door was opened, in order. The stages after kStopped lead the tool back to the
+/// work.
 enum class DoorStage : std::uint8_t {
   kStopping,  ///< The motors brake along their path.
-  kPullOut,   ///< The parking axis leaves the work while the spindle still turns.
+  kPullOut,   ///< The parking axis retracts from the work while the spindle still turns.
   kPark,
-  kStopped,  ///< The machine waits for the door to close, and for `~`.
+  kStopped,  ///< The machine waits until the door is closed and the operator sends `~`.
   kUnpark,
   kSpindle,
   kCoolant,
   kPlunge,
 };
 
-/// Positions of the parking axis along its trip, in steps.
+/// Positions of the parking axis on its trip away from the work, in steps.
 struct ParkingPlaces {
   StepPosition from{};        ///< Position in the work.
   StepPosition pulled_out{};  ///< Position just outside of the work.
   StepPosition parked{};
 };
 
-/// The stage of an opened door, and the positions of the parking axis while it is away.
+/// Present stage after the door was opened, and positions of the parking axis on its trip.
 class DoorSequence {
  public:
   [[nodiscard]] DoorStage stage() const { return stage_; }
   void go_to(DoorStage stage) { stage_ = stage; }
 
-  /// Begins the stages; the first is braking of the motors.
-  /// @param ends_jog the door stopped a jog
+  /// Begins with the first stage, in which the motors brake.
+  /// @param ends_jog whether the door stopped a jog
   void open(bool ends_jog) {
     stage_ = DoorStage::kStopping;
     ends_jog_ = ends_jog;
   }
-  /// Returns whether the way back has begun. If the door opens then, the stages restart.
+  /// Returns whether the return to the work has begun. If the door opens during the return, the
+  /// stages restart.
   [[nodiscard]] bool is_on_way_back() const { return stage_ > DoorStage::kStopped; }
   [[nodiscard]] bool ends_jog() const { return ends_jog_; }
 
-  /// Returns whether the parking axis is away from the work, or moving there or back.
+  /// Returns whether the parking axis is on its trip: away from the work, or moving away or back.
   [[nodiscard]] bool is_away() const { return is_away_; }
   /// Returns the positions of the trip.
   /// @pre is_away()

@@ -6,7 +6,7 @@
 
 namespace cnc {
 
-/// A time to wait, counted in cycles of the main loop.
+/// A waiting time. It is counted down once in each cycle of the main loop.
 class Dwell {
  public:
   void start(float seconds) {

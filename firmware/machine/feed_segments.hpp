@@ -6,9 +6,9 @@
 
 namespace cnc {
 
-/// Hands segments to the drive until it has enough of them, or no more exist, or the segments of
-/// this call last three cycles. The last bound keeps the planning of a start as short as the
-/// planning of later cycles.
+/// Hands segments to the drive. Stops when the drive has enough of them, when no more exist, or
+/// when the segments of this call last three cycles. The last bound limits the planning time of the
+/// cycle in which motion starts.
 /// @param next makes the next segment; returns false if there is none
 template <typename Source>
 void feed_segments(StepDrive& drive, Source&& next) {

@@ -13,10 +13,11 @@ constexpr std::uint32_t kPasses = 6;
 constexpr float kSeekTravels = 1.5F;
 /// Length of a slow approach in pull-off distances: longer than the pull-off, but limited.
 constexpr float kLocatePullOffs = 5.0F;
-/// The steps of a longer search would not fit the counters.
+/// Maximum search distance, mm. The steps of a longer search would overflow the counters.
 constexpr float kLongestSearchMm = 400'000.0F;
 constexpr float kFullTurnDegrees = 360.0F;
-/// Greatest distance between two motors of an axis, as a share of the travel; Grbl's default.
+/// Maximum distance between the positions of the two motors of an axis, as a share of the travel;
+/// Grbl's default.
 constexpr float kSkewShare = 0.05F;
 constexpr float kMinSkewMm = 2.5F;
 constexpr float kMaxSkewMm = 25.0F;
@@ -37,8 +38,8 @@ void Homing::start(std::uint8_t axes, const motion::BeamCommand& beam) {
   settle(Step::kPulledOff);
 }
 
-/// Selects the axes of the next pass that has any. Requested axes without a pass come last. Returns
-/// false if no axes are left.
+/// Selects the requested axes of the next pass; skips passes without requested axes. Requested axes
+/// that are in no pass are homed last. Returns false if no axes are left.
 bool Homing::next_pass() {
   axes_ = 0;
   while (axes_ == 0 && pass_ < kPasses) {
@@ -73,13 +74,14 @@ Homing::Outcome Homing::poll(const hal::InputState& read, std::int32_t elapsed_u
 Homing::Outcome Homing::begin_approach() {
   left_ = axes_;
   from_ = motion_.target();
-  // While seeking, the first switch of either motor suffices.
+  // In the fast search, the first of the two switches ends the approach of an axis with two motors.
   drive_.watch_switches(axes_, locates_ > 0 ? squared() : std::uint8_t{0});
   return go_on_approaching();
 }
 
-/// Moves all remaining axes by the same distance, so that each has the full rate, until the first
-/// has searched far enough.
+/// Moves all axes that have not found their switch. They move by the same distance, so that each
+/// axis has the full rate. The distance ends where the first of them has searched its maximum
+/// distance.
 Homing::Outcome Homing::go_on_approaching() {
   const Position here = motion_.target();
   Coordinate distance{Coordinate::kFarthestNanometres};
@@ -210,8 +212,8 @@ Coordinate Homing::pull_off_distance() const {
   return from_mm(settings_.get(setting::kHomingPullOff));
 }
 
-/// Returns the position of an axis's switch: at an end of the travel, or such that the position
-/// after the pull-off is zero.
+/// Returns the position of an axis's switch. It is an end of the travel. If homing sets the origin
+/// ($22 bit 3), it is the position for which the axis is at zero after the pull-off.
 Coordinate Homing::switch_place(std::size_t axis) const {
   if (has_homing_option(settings_, homing_option::kSetOrigin)) {
     return homes_low(axis) ? -pull_off_distance() : pull_off_distance();

@@ -10,20 +10,20 @@
 
 namespace cnc {
 
-/// Finds machine zero. Each axis seeks its switch, backs off by $27, and finds the switch again
-/// slowly, $43 times. The axes are homed in the passes of $44…$49.
+/// Finds machine zero. Each axis seeks its switch, pulls off by $27, and then approaches the switch
+/// slowly and pulls off again, $43 times. Passes $44…$49 determine which axes are homed together.
 ///
 /// The step interrupt latches the step at which a switch closed, and the motors then brake within
-/// their limits. So no step is lost, and the length of the overrun does not matter. If the axes of
-/// one pass reach their switches at different times, all stop at each switch, and the remaining
-/// axes then continue. On an axis with two motors ($852) each motor waits at its own switch for the
-/// other, which squares the axis.
+/// their limits. So no step is lost, and the overrun after the switch does not affect the result.
+/// If the axes of one pass reach their switches at different times, all of them stop whenever one
+/// axis reaches its switch. The remaining axes then continue. On an axis with two motors ($852),
+/// each motor stops at its own switch and waits for the other motor. This squares the axis.
 class Homing {
  public:
   enum class Outcome : std::uint8_t {
     kGoingOn,
     kDone,
-    kNoSwitch,      ///< No switch within one and a half times the travel.
+    kNoSwitch,      ///< No switch was found within 1.5 times the travel.
     kStillClosed,   ///< A switch is still closed after the pull-off.
     kSecondSwitch,  ///< One of two motors did not reach its switch in time.
   };
@@ -37,12 +37,12 @@ class Homing {
   void start(std::uint8_t axes, const motion::BeamCommand& beam);
 
   /// Continues homing; to be called in each cycle.
-  /// @param read the inputs now, with their bounce: homing waits $26 before it uses them
+  /// @param read present inputs, not filtered: homing waits $26 after a motion before it uses them
   [[nodiscard]] Outcome poll(const hal::InputState& read, std::int32_t elapsed_us);
-  /// Gives up homing. The caller must stop the motion.
+  /// Cancels homing. The caller must stop the motion.
   void cancel() { drive_.unwatch_switches(); }
 
-  /// Returns the axes whose positions are known from the passes so far.
+  /// Returns the axes that completed passes have homed, bit i for axis i.
   [[nodiscard]] std::uint8_t found() const { return done_; }
 
  private:
@@ -81,7 +81,7 @@ class Homing {
   std::uint8_t axes_ = 0;                ///< Axes of this pass.
   std::uint8_t left_ = 0;                ///< Axes of this pass that have not found their switch.
   std::uint32_t pass_ = 0;               ///< Index of the next pass.
-  std::uint32_t locates_ = 0;            ///< Slow approaches begun; 0 while seeking.
+  std::uint32_t locates_ = 0;            ///< Number of slow approaches begun; 0 in the fast search.
   Position from_{};                      ///< Start of this approach.
   AxisArray<std::int32_t> closed_at_{};  ///< Tool steps at which the switches closed.
 };

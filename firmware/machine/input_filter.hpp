@@ -6,16 +6,16 @@
 
 namespace cnc {
 
-/// Removes the bounce of the machine's switches: a change of an input counts after three equal
-/// samples, a millisecond apart. Each input is filtered separately, so that an input that chatters
-/// never hides another.
+/// Removes the bounce of the machine's switches. A change of an input is accepted after three equal
+/// samples, which are a millisecond apart. Each input is filtered separately, so that an input that
+/// chatters does not delay another input.
 class InputFilter {
  public:
   /// Time between samples. Contacts bounce for up to 2 ms; noise from a spindle is far shorter.
   static constexpr std::int32_t kBetweenLooksUs = 1000;
 
-  /// Takes the inputs; to be called in each cycle of the main loop. Returns whether the settled
-  /// state changed.
+  /// Filters the inputs `read`; to be called in each cycle of the main loop. Returns whether the
+  /// filtered state changed.
   bool poll(const hal::InputState& read, std::int32_t elapsed_us) {
     raw_ = read;
     since_look_us_ += elapsed_us;
@@ -32,9 +32,10 @@ class InputFilter {
   }
 
   [[nodiscard]] const hal::InputState& settled() const { return settled_; }
-  /// Returns the settled state before its last change, so that the caller can see what changed.
+  /// Returns the filtered state before the last sample. If poll() returned true, the difference
+  /// from settled() shows the changed inputs.
   [[nodiscard]] const hal::InputState& before() const { return before_; }
-  /// Returns the last read state, with its bounce.
+  /// Returns the inputs of the last poll(), not filtered.
   [[nodiscard]] const hal::InputState& raw() const { return raw_; }
 
  private:

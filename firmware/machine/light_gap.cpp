@@ -13,7 +13,8 @@ void LightGap::begin() {
   motion_.keep_path(true);
 }
 
-/// Adds the distance by chords; their sum is shorter than an arc by less than a hundredth.
+/// Adds the chord from the last point to the present position to the length of the gap, if the
+/// chord is at least `min_mm` long. On an arc, the sum of the chords is too short by less than 1 %.
 void LightGap::follow(float min_mm) {
   const AxisArray<std::int32_t> here = motion_.tool_steps();
   const Position to = motion_.place_of(here);
@@ -28,8 +29,8 @@ void LightGap::follow(float min_mm) {
   followed_ = here;
 }
 
-/// If the point where the light ended is not known exactly, the position in the cycle that blocked
-/// the beam is used.
+/// If the point where the light ended is not known exactly, gap_.from stays the position at
+/// begin().
 void LightGap::find() {
   opens_ = false;
   const std::uint32_t tick = drive_.light_ended();

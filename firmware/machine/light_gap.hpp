@@ -13,17 +13,18 @@ struct Uncut {
 /// The gap between the point where a blocked beam went off and the point where the motors then came
 /// to rest.
 ///
-/// The path is kept from the moment when the beam is blocked. At rest, the motion is taken back to
-/// the point where the light ended, if any path after that point is uncut. Before the motion
-/// continues, the motors must be brought to that point. Main loop only.
+/// The driven path is stored from the moment when the beam is blocked. If the path after the point
+/// where the light ended is uncut, the motion is taken back to this point once the motors are at
+/// rest. The motors must be moved to this point before the motion continues. Main loop only.
 class LightGap {
  public:
-  /// Longest unknown part for which the machine does not stop.
+  /// Maximum length of the unknown part of a gap up to which the machine continues without
+  /// stopping.
   static constexpr auto kNegligible = static_cast<motion::PathUnits>(0.1F * motion::kUnitsPerMm);
 
   LightGap(StepDrive& drive, MotionControl& motion) : drive_{drive}, motion_{motion} {}
 
-  /// Begins: the beam is blocked, and the motion slows down.
+  /// Begins a gap, because the beam was blocked and the motion is slowing down.
   void begin();
   /// Follows the motion from begin() to find(); to be called in each cycle.
   void follow() {
@@ -34,26 +35,28 @@ class LightGap {
   void find();
   /// Returns whether the motion was taken back and has not continued since.
   [[nodiscard]] bool any() const { return found_; }
-  /// Returns whether begin() was called, and find() was not.
+  /// Returns whether a gap has begun whose find() was not called yet.
   [[nodiscard]] bool opens() const { return opens_; }
-  /// Reports the whole gap as uncut, because its motion is dropped. Before find(), the gap ends at
-  /// the present position of the motors.
+  /// Reports the whole gap as uncut, because the motion along it is dropped. If find() was not
+  /// called, the gap ends at the present position of the motors.
   /// @pre the drive is not running
   void leave();
-  /// Ends the gap: the motion continues. Returns whether a relevant part of the gap is unknown, and
-  /// reports that part as uncut.
+  /// Ends the gap: the motion continues. Returns whether a part longer than kNegligible is unknown:
+  /// the motion could not be taken back along it. Reports this part as uncut.
   [[nodiscard]] bool end();
 
-  /// Returns the position from which the motion continues, exact to the step if it is known.
+  /// Returns the start of the gap, from which the motion continues, in motor steps. It is exact to
+  /// a step unless a part of the gap is unknown.
   /// @pre any()
   [[nodiscard]] const AxisArray<std::int32_t>& place() const { return gap_.from; }
-  /// Returns whether take_uncut() has something to return.
+  /// Returns whether take_uncut() would return a part.
   [[nodiscard]] bool has_uncut() const { return reported_; }
-  /// Returns, once, the part that was reported last; null if there is none.
+  /// Returns the last reported part, once; null if there is none.
   [[nodiscard]] const Uncut* take_uncut();
 
  private:
-  /// Shortest chord to add; shorter ones are mostly rounding to steps.
+  /// Minimum length of a chord that is added. Shorter chords consist mostly of the rounding to
+  /// steps.
   static constexpr float kChordMm = 0.05F;
 
   void follow(float min_mm);
@@ -65,7 +68,8 @@ class LightGap {
   bool found_ = false;
   motion::PathUnits unknown_ = 0;
   Uncut gap_{};
-  AxisArray<std::int32_t> followed_{};  ///< Point up to which gap_.distance counts, before find().
+  /// End of the path that gap_.distance measures before find(), in motor steps.
+  AxisArray<std::int32_t> followed_{};
   bool reported_ = false;
 };
 

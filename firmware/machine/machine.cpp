@@ -3,7 +3,7 @@
 namespace cnc {
 namespace {
 
-/// Returns whether the mode is G1, G2 or G3, in which M3 switches the beam on.
+/// Returns whether the mode is G1, G2 or G3: only in these modes M3 may switch the beam on at rest.
 bool cuts_by_mode(gcode::MotionMode mode) {
   return mode >= gcode::MotionMode::kLine && mode <= gcode::MotionMode::kArcCounterClockwise;
 }
@@ -65,11 +65,12 @@ gcode::Refusal Machine::accept(std::string_view line) {
   return refusal;
 }
 
-/// Reads a line and leaves its actions waiting.
+/// Interprets a line. Its actions wait for run_actions().
 gcode::Refusal Machine::take_line(std::string_view line) {
   CNC_ASSERT(!busy() && !locked());
   const Position from = interpreter_.position();
-  // Both follow the same lines, so a difference means that one of them has changed in memory.
+  // The interpreter and the machine follow the same lines, so their positions differ only if memory
+  // was corrupted.
   CNC_ASSERT(state_.in(Mode::kCheck) || from == target());
   news_.path_fault.reset();
   const auto actions = interpreter_.interpret(line);
@@ -125,7 +126,7 @@ void Machine::poll(hal::TickCount now) {
   if (rested && drive_.running()) memory_.check_settings();
 }
 
-/// Advances the activity of the present mode.
+/// Advances the task of the present mode. Before that, raises the alarm of a stop that is complete.
 void Machine::attend_mode(std::int32_t elapsed_us) {
   if (alarm_.stops() && motion_.at_rest()) {
     find_gap();
@@ -140,7 +141,8 @@ void Machine::attend_mode(std::int32_t elapsed_us) {
     case Mode::kDoor:
       return attend_door();
     case Mode::kFree:
-      // Both may have been so since before a reset.
+      // An input that was active before a reset causes no further event, so both states are checked
+      // here.
       if (inputs().emergency_stop) return emergency_stop();
       if (inputs().door) safety_door();
       return;
@@ -154,8 +156,8 @@ void Machine::attend_mode(std::int32_t elapsed_us) {
   }
 }
 
-/// Runs the waiting actions. Lines before a hold are still planned; nothing is switched while the
-/// door is open.
+/// Runs the waiting actions. In a hold, lines are still planned. In the door stages, no action
+/// runs, so that nothing is switched.
 void Machine::run_actions() {
   if (alarm_.cuts_off() || state_.in(Mode::kDoor)) return;
   if (alarm_.stops() || tool_change_.stage() == ToolChange::Stage::kStopping) return;
@@ -175,15 +177,15 @@ bool Machine::may_light_at_rest() const {
          (!dot || cuts_by_mode(interpreter_.state().motion));
 }
 
-/// Returns the duty for S, by the power table.
+/// Returns the duty that the power table gives for S and the override; 65535 is full.
 std::uint16_t Machine::duty_at_rest() const {
   const float share = tool_.share_now();
   return share > 0.0F ? to_full_scale(set_up_.limits().beam.table.duty_for(share))
                       : std::uint16_t{0};
 }
 
-/// Keeps the beam on at rest where M3 requires it: in a dwell, or for a dot in G1 to G3. The beam
-/// is off before the motion that was planned in this cycle begins.
+/// Switches the beam on at rest if M3 requires it: in a dwell, or for a dot in G1 to G3. The beam
+/// is switched off before the motion that was planned in this cycle begins.
 void Machine::attend_rest_light(std::int32_t elapsed_us) {
   if (!motion_.drained()) rest_light_.renew();
   const std::uint16_t light =

@@ -40,8 +40,8 @@
 
 namespace cnc {
 
-/// The controller without its link: takes lines of G-code, carries out their actions one after the
-/// other, and lets an operator hold, resume, override and abort.
+/// The controller without the link to the sender. It takes lines of G-code, runs their actions in
+/// order, and lets the operator hold, resume, override and abort.
 ///
 /// Main loop only; no call blocks. `poll` advances all activities.
 class Machine {
@@ -58,27 +58,29 @@ class Machine {
   /// Returns whether no line of G-code is accepted: in an alarm, asleep, or during a jog or a
   /// homing cycle.
   [[nodiscard]] bool locked() const;
-  /// Takes a line after the line before it is done. A refused line changes nothing. In check mode
-  /// the line is checked and moves nothing.
+  /// Takes the next line of G-code. A refused line changes nothing. In check mode the line is
+  /// checked and moves nothing.
   /// @pre !busy() && !locked()
   [[nodiscard]] gcode::Refusal accept(std::string_view line);
-  /// Returns whether the last line is still waiting for free space in the planner, for standstill
-  /// or for time to pass, or whether homing or a reset is not complete.
+  /// Returns whether no further line is accepted yet. The last line may wait for free space in the
+  /// planner, for standstill or for the end of a dwell, or homing, a stop or a reset is not
+  /// complete.
   [[nodiscard]] bool busy() const;
 
   /// Advances all activities. To be called at least every few milliseconds.
   /// @param now microseconds
   void poll(hal::TickCount now);
 
-  /// Takes the body of `$J=`: a separate motion, while idle or jogging. A feed above the axes'
-  /// limits is reduced to them. Modes do not change.
+  /// Takes a jog: `words` is the text after `$J=`. The machine must be idle, jogging or in an open
+  /// tool change. A feed above the limits of the axes is reduced to them. The modes of the program
+  /// do not change.
   /// @pre !busy()
   [[nodiscard]] std::optional<JogRefusal> jog(std::string_view words);
 
-  /// Returns the reason why `axes` cannot be homed now; `axes` as in home().
+  /// Returns the reason why home(axes) is refused now; kNone if it is allowed.
   [[nodiscard]] HomingRefusal why_not_home(std::uint8_t axes) const;
-  /// Homes these axes: bit i for axis i, 0 for all axes in the passes of $44…$49. busy() is true
-  /// until homing is complete.
+  /// Begins to home `axes`: bit i for axis i, 0 for all axes in the passes of $44…$49. busy() is
+  /// true until homing is complete.
   /// @pre why_not_home(axes) is kNone
   void home(std::uint8_t axes);
 
@@ -88,11 +90,11 @@ class Machine {
   void resume();
   void safety_door();
   void jog_cancel();
-  /// Stops because no sender is at the link any more: a beam goes off at once, and an alarm follows
-  /// when all axes have come to rest on their path.
+  /// Stops because the sender is silent. A beam goes off immediately, the motors brake along the
+  /// path, and an alarm follows at rest.
   void lose_link();
-  /// Stops at once, with the output off, and resets the modes. If the machine was at rest its
-  /// position stays known; otherwise an alarm follows.
+  /// Stops immediately with the output off, and resets the modes. If the machine was at rest, its
+  /// position stays known. Otherwise an alarm follows.
   void reset();
   void emergency_stop();
   /// Switches everything off until a reset. Returns false if the machine is neither idle nor in an
@@ -101,8 +103,8 @@ class Machine {
   /// Enters check mode if the machine is idle, or leaves it by a reset. Returns false if neither is
   /// possible.
   bool toggle_check_mode();
-  /// Ends an alarm. Returns false while the door is open or the emergency stop is pressed, and
-  /// after an alarm that requires a reset first.
+  /// Ends an alarm. Returns false if the door is open, if the emergency stop is pressed, or if the
+  /// alarm requires a reset first.
   bool unlock();
   /// Locks the machine at power-up because stored data could not all be read. Nothing moves before
   /// a reset and an unlock.
@@ -112,29 +114,29 @@ class Machine {
 
   void set_overrides(const OverridePercent& percent);
   [[nodiscard]] const OverridePercent& overrides() const { return switches_.overrides; }
-  /// Stops or restarts the spindle, only while held at rest. If it is stopped, resume() restarts it
-  /// first.
+  /// Stops or restarts the spindle. Has an effect only in a hold at rest. resume() restarts a
+  /// stopped spindle before the motion.
   void toggle_spindle_stop();
-  /// Toggles mist, flood or both, while nothing is interrupted except by a hold.
+  /// Toggles mist, flood or both. Has an effect only in Idle, Run and Hold.
   void toggle_coolant(gcode::Coolant which);
-  /// Lets the sender take part in the tool change that M6 requested. From now on its lines and jogs
-  /// are accepted while tool_change().open(), and resume() continues the program. Returns false
-  /// if no tool change is pending, or if the sender takes part already.
+  /// Lets the sender take part in the tool change that M6 requested. While tool_change().open(),
+  /// its lines and jogs are accepted as part of the tool change. resume() continues the program.
+  /// Returns false if no tool change is pending, or if the sender takes part already.
   bool acknowledge_tool();
   [[nodiscard]] const ToolChange& tool_change() const { return tool_change_; }
   [[nodiscard]] OperatorSwitches& switches() { return switches_; }
-  /// Toggles block delete until the setting is written again. Returns whether lines with / are
-  /// skipped from now on.
+  /// Toggles block delete, until $890 is written. Returns whether lines with `/` are skipped from
+  /// now on.
   bool toggle_block_delete();
 
   // An interrupted program, in machine_reentry.cpp.
 
-  /// Returns the progress of the last program, by which the protocol stores and restores it.
+  /// Returns the progress of the last program. The protocol stores and restores it.
   [[nodiscard]] ProgramProgress& progress() { return progress_; }
   /// Returns whether a program has been interrupted and all axes are at rest.
   [[nodiscard]] bool interrupted() const;
-  /// Begins re-entry: all further motion has the beam off until it passes the position of the
-  /// progress, on the line that was driven or a later one. A reset ends re-entry.
+  /// Begins re-entry. All further motion has the beam off until it passes the noted position, on
+  /// the noted line or a later one. A reset ends re-entry.
   /// @pre idle(), progress().noted().any(), progress().can_reenter(homed())
   void reenter();
 
@@ -144,10 +146,10 @@ class Machine {
   /// @pre idle()
   Result<float, SettingError> change_setting(std::uint16_t number, float value);
   [[nodiscard]] const Settings& settings() const { return set_up_.settings(); }
-  /// Ends G43.4, before the axes are moved separately or all settings change.
+  /// Ends G43.4, because axes are to be moved separately or all settings are to change.
   /// @pre idle()
   void end_tool_centre();
-  /// Sets the light that the beam gives at each duty.
+  /// Sets the table of the light power that the beam has at each duty.
   /// @pre idle()
   void set_power_table(const motion::PowerTable& table);
   [[nodiscard]] const motion::PowerTable& power_table() const { return set_up_.power_table(); }
@@ -160,7 +162,8 @@ class Machine {
 
   // Memory, in machine_memory.cpp.
 
-  /// Returns the guard of settings, of memory that is computed from them, and of positions.
+  /// Returns the guard that checks the settings, the memory that is computed from them, and the
+  /// positions for flipped bits.
   [[nodiscard]] MemoryGuard& memory() { return memory_; }
   /// Returns the light at rest, for RestLight::allowed(). Any context.
   [[nodiscard]] RestLight& rest_light() { return rest_light_; }
@@ -170,31 +173,33 @@ class Machine {
   [[nodiscard]] MachineStatus status() const;
   [[nodiscard]] MachineState state() const { return status().state; }
   [[nodiscard]] Alarm alarm() const { return alarm_.now(); }
-  /// Returns whether no action waits and nothing moves.
+  /// Returns whether no action is waiting and nothing moves.
   [[nodiscard]] bool idle() const;
   /// Returns whether a spindle turns, or a beam that does not follow the motion is on.
   [[nodiscard]] bool tool_runs() const;
   /// Returns whether a beam is on and follows a motion that is not held.
   [[nodiscard]] bool beam_works() const;
-  /// Returns the inputs without their bounce.
+  /// Returns the filtered inputs.
   [[nodiscard]] const hal::InputState& inputs() const { return inputs_.settled(); }
   /// Returns the axes whose machine coordinates are known, bit i for axis i.
   [[nodiscard]] std::uint8_t homed() const { return travel_.homed(); }
-  /// Returns the real S of the output, with override; for a beam, the value of this moment.
+  /// Returns the present S of the output, with the override. For a beam, it includes the present
+  /// effect of the speed.
   [[nodiscard]] float spindle_now() const;
   [[nodiscard]] gcode::Coolant coolant() const { return coolant_.now(); }
-  /// Returns the result of the last probe; position 0 and no success before the first.
+  /// Returns the result of the last probe. Before the first probe, its position is 0 and it is no
+  /// success.
   [[nodiscard]] const Probe& last_probe() const { return probing_.last(); }
   /// Returns the events that are reported once.
   [[nodiscard]] MachineNews& news() { return news_; }
   /// Returns, once, the part of the path that a door, a lost link or a following reset leaves
   /// uncut; null if there is none.
   [[nodiscard]] const Uncut* take_uncut() { return gap_.take_uncut(); }
-  /// Returns whether the last motions of a compensated path are held until another motion, G40 or
-  /// M2 comes.
+  /// Returns whether the last motions of a compensated path wait in the compensator for another
+  /// motion, G40 or M2.
   [[nodiscard]] bool waits_for_g40() const;
-  /// Returns whether news(), take_uncut() or the rest light's take_refusal() have something that a
-  /// poll reports by itself.
+  /// Returns whether news(), take_uncut() or the rest light's take_refusal() contain an event that
+  /// the protocol reports without a request.
   [[nodiscard]] bool has_news() const {
     return news_.reset_pressed.is_raised() || gap_.has_uncut() || rest_light_.has_refusal();
   }
@@ -331,7 +336,8 @@ class Machine {
   void apply_language_settings();
   [[nodiscard]] bool place_fits() const;
 
-  // Small members come first: on a chip an instruction reaches 4 KiB of an object.
+  // Small members come first, because a load instruction of the chip reaches only the first 4 KiB
+  // of an object.
   StepDrive& drive_;
   hal::AuxiliaryOutputs& outputs_;
   hal::MachineInputs& input_port_;
@@ -350,7 +356,8 @@ class Machine {
   LightGap gap_;
   std::optional<JogMove> jog_{};  ///< Jog that waits for free space in the planner.
   Travel travel_{};
-  kinematics::ToolCentre tool_centre_{};  ///< G43.4 as lines use it, also in check mode.
+  /// State of G43.4 at the last line that ran, also in check mode.
+  kinematics::ToolCentre tool_centre_{};
   ProgramProgress progress_;
   MachineSetUp set_up_{};
   MotorEnable motor_enable_;

@@ -17,7 +17,8 @@ bool is_path(const Action& action) {
 /// Runs an action. Returns whether it is done; otherwise it is run again in the next poll.
 bool Machine::run(const Action& action) {
   if (state_.in(Mode::kCheck) && !is_path(action)) return true;
-  // G40 itself may take several cycles, while there is no free space for all held motion.
+  // G40 is no exit. It may take several cycles, until the planner has free space for all motion in
+  // the compensator.
   const bool leads_back = action.kind == ActionKind::kCompensation &&
                           action.compensation.side == gcode::CutterSide::kOn;
   if (compensated_.beside() && is_path(action) && !leads_back && !leave_path(action)) return false;
@@ -60,8 +61,8 @@ bool Machine::run(const Action& action) {
   return true;
 }
 
-/// Returns whether the motion has ended. Flushes the plan first, because a caller that waits for
-/// standstill adds no motion before.
+/// Returns whether the motion has ended. Flushes the plan first, because the caller appends no
+/// motion before standstill.
 bool Machine::standstill() {
   motion_.flush();
   return motion_.drained();
@@ -96,8 +97,8 @@ void Machine::append(const ActionPart& part) {
   if (drive(item)) actions_.forget_outputs();
 }
 
-/// Returns whether a line with several powers becomes one element: the beam works, and no other
-/// part of the machine needs its pixels one by one.
+/// Returns whether a line with several powers may become one element: the tool is on, and neither
+/// compensation, re-entry, check mode nor a tool change needs the pixels as separate elements.
 bool Machine::takes_rows() const {
   return tool_.mode() != gcode::SpindleMode::kOff && !tool_change_.open() &&
          !compensated_.compensates() && !compensated_.beside() && !state_.in(Mode::kCheck) &&
@@ -106,22 +107,23 @@ bool Machine::takes_rows() const {
 
 void Machine::append_row(path::PathItem& item, std::span<const float> speeds) {
   const auto appended = motion_.append_row(item, tool_.powers_of(speeds));
-  CNC_ASSERT(appended.ok());  // Holds for the reason given in drive().
+  CNC_ASSERT(appended.ok());  // No error is possible, see drive().
   if (appended.value()) actions_.forget_outputs();
   tool_.set_speed(speeds.back());
 }
 
-/// Appends an item. Returns whether there is anything to move.
+/// Appends an item to the plan. Returns whether it moves an axis.
 bool Machine::drive(path::PathItem& item) {
   if (progress_.reentry().active() && !tool_change_.open()) darken_until_place(item);
   const auto appended = motion_.append(item);
-  // The interpreter keeps targets within the motors' range, and arcs are divided.
+  // No error is possible: the interpreter keeps targets within the range of the motors, and
+  // ActionElements divides arcs.
   CNC_ASSERT(appended.ok());
   return appended.value();
 }
 
-/// Appends elements of the action while the planner has free space, and computes as many points of
-/// a spline as a cycle allows.
+/// Appends elements of a motion while the planner has free space, and evaluates at most the spline
+/// points of one cycle. Returns whether all elements were appended.
 bool Machine::move(const Action& action) {
   ActionElements& elements = actions_.elements();
   if (!elements.active()) {
@@ -145,7 +147,7 @@ bool Machine::move(const Action& action) {
 
 bool Machine::dwell(float seconds) { return standstill() && actions_.dwell(seconds); }
 
-/// Runs G4, in which M3 may switch the beam on.
+/// Runs a dwell (G4). Under M3 the beam may be on meanwhile. Returns whether the dwell is over.
 bool Machine::wait(float seconds) {
   const bool begins = !actions_.is_dwelling();
   const bool over = dwell(seconds);
@@ -157,7 +159,8 @@ bool Machine::wait(float seconds) {
   return over;
 }
 
-/// Sets the spindle's mode. A spindle that starts or reverses is given its time ($394).
+/// Sets the mode of the tool. If a spindle starts or reverses, waits for $394. Returns whether this
+/// is complete.
 bool Machine::set_spindle(gcode::SpindleMode mode) {
   if (!standstill()) return false;
   if (!actions_.is_dwelling()) {
@@ -180,7 +183,8 @@ bool Machine::switch_output(const gcode::OutputChange& change) {
     }
     return true;
   }
-  // One analog change fits into a block; a second channel waits for standstill.
+  // A block has one analog change. If a change of another channel is waiting, it is output at
+  // standstill.
   if (change.analog && actions_.changes_other_analog(change.number)) {
     if (!standstill()) return false;
     const motion::OutputChanges& next = actions_.outputs();
@@ -190,7 +194,7 @@ bool Machine::switch_output(const gcode::OutputChange& change) {
   return true;
 }
 
-/// Pauses when all earlier motion is done. Returns true after the operator has resumed.
+/// Pauses once all earlier motion has ended. Returns whether the operator has resumed.
 bool Machine::pause() {
   if (!standstill()) return false;
   if (!actions_.is_paused()) {
@@ -202,13 +206,13 @@ bool Machine::pause() {
   return true;
 }
 
-/// Waits, with tool and coolant off, for the operator to change the tool. $341 may say that there
-/// is no operator.
+/// Waits, with the tool suspended, until the operator has changed the tool. Does not wait if $341
+/// is not 0. Returns whether the change is complete.
 bool Machine::change_tool(std::uint32_t tool) {
   if (settings().get(setting::kToolChange) != 0.0F) return true;
   if (!standstill()) return false;
   if (!actions_.is_paused()) {
-    if (!state_.take(Event::kTool)) return false;  // In a hold the change waits for its end.
+    if (!state_.take(Event::kTool)) return false;  // The change waits for the end of a hold.
     actions_.pause();
     tool_change_.want(tool);
     tool_.suspend(true);

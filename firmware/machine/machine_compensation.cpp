@@ -10,7 +10,8 @@ using gcode::CutterSide;
 bool Machine::has_room() {
   if (!drive_rest()) return false;
   if (!compensated_.compensates()) return state_.in(Mode::kCheck) || motion_.has_room();
-  if (news_.path_fault) return false;  // The rest of the line is dropped with all held motion.
+  // After a fault the rest of the line is dropped together with all held motion.
+  if (news_.path_fault) return false;
   give_out();
   if (!compensated_.active()) return state_.in(Mode::kCheck) || motion_.has_room();
   return compensated_.has_room();
@@ -20,7 +21,7 @@ bool Machine::waits_for_g40() const {
   return compensated_.active() && actions_.empty() && compensated_.has_room();
 }
 
-/// Returns the end of the programmed path.
+/// Returns the end of the programmed path so far.
 const Position& Machine::target() const {
   const bool apart = compensated_.active() || compensated_.beside() || state_.in(Mode::kCheck);
   return apart ? compensated_.programmed() : motion_.target();
@@ -28,8 +29,8 @@ const Position& Machine::target() const {
 
 bool Machine::follows_kerf() const { return settings().get(setting::kKerfControl) != 0.0F; }
 
-/// Sets whether the motors follow the kerf from here on. Returns false while that must wait for
-/// standstill.
+/// Sets whether the motors correct later motion for the change of the kerf with the speed. Returns
+/// false if this must wait for standstill.
 bool Machine::set_kerf_control(const gcode::CutterCompensation& wanted) {
   const bool follows = wanted.by_kerf && follows_kerf() && !state_.in(Mode::kCheck);
   if (!follows && !motion_.follows_kerf()) return true;
@@ -37,15 +38,15 @@ bool Machine::set_kerf_control(const gcode::CutterCompensation& wanted) {
   motion_.follow_kerf(nullptr);
   if (!follows) return true;
   const gcode::ModalState& modal = interpreter_.state();
-  // The table has a kerf for the condition, because the line was read.
+  // The table has a kerf for this condition: the interpreter accepted the line.
   motion_.follow_kerf(
       &compensated_.course_from(gcode::kerf_condition(modal, interpreter_.options())));
   return true;
 }
 
-/// Returns the beam command for a motion. On a path compensated by kerf, and on its exit, which
-/// begins at that kerf, the power follows the speed, also under M3. Otherwise the kerf would change
-/// wherever the speed changes.
+/// Returns the beam command for a motion. On a path that is compensated by the kerf, and on its
+/// exit, the power follows the speed, also under M3. Otherwise the kerf would change with the
+/// speed.
 motion::BeamCommand Machine::beam_for(bool rapid) const {
   if (tool_change_.open()) return {};  // The output of a spindle is off, too.
   motion::BeamCommand beam = tool_.command_for(rapid);
@@ -55,7 +56,7 @@ motion::BeamCommand Machine::beam_for(bool rapid) const {
 
 bool Machine::set_compensation(const gcode::Action& action) {
   if (action.compensation.side != CutterSide::kOn) {
-    // With a width of 0 (D0 without a tool) the path is the programmed one.
+    // With a width of 0 (D0 without a tool), the programmed path is driven.
     if (action.compensation.width_mm <= 0.0F) return true;
     if (!set_kerf_control(action.compensation)) return false;
     compensated_.set(action.compensation, action.plane);
@@ -73,10 +74,11 @@ bool Machine::set_compensation(const gcode::Action& action) {
   return !compensated_.active();
 }
 
-/// Drives the exit. The first motion after G40 in the plane leads from the compensated path to its
-/// own end. It first goes about the corner there if it would cut the corner. A motion to the
-/// present programmed position does so, too. Other axes may move before, for example to lift a
-/// tool.
+/// Drives the exit: the first motion in the plane after G40, from the end of the compensated path
+/// to the end of this motion. If the straight line would cut into the corner at its start, the tool
+/// first goes around the corner. A motion to the present programmed position is an exit, too. Axes
+/// outside the plane may move before the exit, for example to lift a tool. Returns false if the
+/// exit must wait or was refused.
 bool Machine::leave_path(const gcode::Action& action) {
   const auto refuse = [this](compensation::Fault fault) {
     fault.line = interpreter_.state().line_number;
@@ -96,27 +98,29 @@ bool Machine::leave_path(const gcode::Action& action) {
   return true;
 }
 
-/// Passes an item to the compensator: the entry, the compensated path or the exit; in check mode
-/// also motions without compensation.
+/// Passes an item to the compensator if it is the entry or part of the compensated path. Drives
+/// motion before the entry without an offset. In check mode, also takes motion without
+/// compensation.
 void Machine::append_beside(path::PathItem& item) {
   const PathElement& element = item.request.element;
   if (element.start == element.end) return;
   if (!compensated_.begin_with(element)) return drive_apart(item);
   if (!compensated_.active()) return compensated_.stand_at(element.end);
   actions_.forget_outputs();
-  // The element is passed on when free space for the next is checked, or in the next cycle.
+  // give_out() drives the element: when has_room() is called for the next element, or in the next
+  // cycle.
   if (const auto fault = compensated_.put(item)) refuse_path(*fault);
 }
 
-/// Drives an item without an offset. While the machine is off the programmed path, only axes
-/// outside the plane move.
+/// Drives an item without an offset. If the machine is at the offset from the programmed path, only
+/// axes outside the plane move.
 void Machine::drive_apart(path::PathItem& item) {
   compensated_.move_apart(item.request.element);
   if (!state_.in(Mode::kCheck) && drive(item)) actions_.forget_outputs();
 }
 
-/// Takes elements from the compensator and plans them while there is free space; drops them in
-/// check mode.
+/// Takes elements from the compensator and plans them while the planner has free space. In check
+/// mode the elements are dropped.
 void Machine::give_out() {
   path::PathItem item;
   const auto room = [this] { return drive_rest() && motion_.has_room(); };
@@ -128,16 +132,16 @@ void Machine::give_out() {
   }
 }
 
-/// Refuses the present line and all held motion. Motion that was already planned stops on its path,
-/// as at the end of the travel.
+/// Refuses the present line and all motion that the compensator holds. Motion that was already
+/// planned stops on its path, as for the alarm of the soft limits.
 void Machine::refuse_path(const compensation::Fault& fault) {
   news_.path_fault = fault;
   if (state_.in(Mode::kCheck)) return raise_alarm(Alarm::kCompensation);
   stop_for(Alarm::kCompensation);
 }
 
-/// Forgets an exit that is not driven: the machine continues from its position, not from the end of
-/// the programmed path.
+/// Cancels an exit that was not driven. The next motion starts at the position of the tool, and not
+/// at the end of the programmed path.
 void Machine::forget_exit() {
   if (!compensated_.beside()) return;
   interpreter_.set_position(motion_.target());

@@ -3,8 +3,8 @@
 
 namespace cnc {
 
-/// Holds the motion and switches a beam off at once; the other stages follow at rest. A door that
-/// is opened again during resumption restarts the stages.
+/// Holds the motion and switches a beam off immediately. The other stages follow at rest. If the
+/// door opens during resumption, the stages restart.
 void Machine::safety_door() {
   if (tool_change_.open()) return stop_in_tool_change();
   if (state_.in(Mode::kHome)) return raise_alarm(Alarm::kHomingDoor);
@@ -21,13 +21,14 @@ void Machine::safety_door() {
   if (!reopened) gap_.begin();
 }
 
-/// Returns whether the door is stopping a jog: the next line's start is unknown until the axes are
-/// at rest.
+/// Returns whether the door is stopping a jog. The start of the next line is unknown until the axes
+/// are at rest.
 bool Machine::door_stops_jog() const {
   return state_.in(Mode::kDoor) && door_.stage() == DoorStage::kStopping && door_.ends_jog();
 }
 
-/// Runs the stages of the door. Each waits for its motion or its time, and then begins the next.
+/// Runs the stages of the door. Each stage waits for the end of its motion or its delay, and then
+/// begins the next stage.
 void Machine::attend_door() {
   if (door_.stage() == DoorStage::kStopped) return;
   if (!motion_.at_rest() || !side_.at_rest() || !resumption_.over()) return;
@@ -58,15 +59,15 @@ void Machine::attend_door() {
   }
 }
 
-/// Ends the door stage and resumes. If a part of the path stays uncut, the machine stays held until
-/// the operator confirms that.
+/// Ends the last door stage and resumes. If a part of the path stays uncut, the machine waits in a
+/// hold until the operator resumes.
 void Machine::end_door() {
   if (!gap_.end()) return restart();
   static_cast<void>(state_.take(Event::kStay));
 }
 
-/// Takes the motion back to the point where a beam went off. The noted progress of the program
-/// moves there, too.
+/// Takes the motion back to the point where a blocked beam went off, and sets the noted progress of
+/// the program to this point.
 void Machine::find_gap() {
   if (!gap_.opens()) return;
   gap_.find();
@@ -123,8 +124,8 @@ std::size_t Machine::parking_axis() const {
   return static_cast<std::size_t>(settings().get(setting::kParkingAxis));
 }
 
-/// Returns whether the parking axis moves: its position must be known, and the tool must not be a
-/// laser, whose beam needs no way out of the work.
+/// Returns whether the parking axis is used: $41 is on, its position is known, and the tool is a
+/// spindle. A beam need not be retracted from the work.
 bool Machine::parks() const {
   const bool known = (homed() >> parking_axis() & 1U) != 0;
   return settings().get(setting::kParking) != 0.0F && known && !tool_.is_laser();

@@ -2,13 +2,15 @@
 
 namespace cnc {
 
-/// Returns G43.4 with the present tool length if the mode is set; otherwise an inactive one.
+/// Returns an active ToolCentre with the present tool length if G43.4 is set; otherwise an inactive
+/// one.
 kinematics::ToolCentre Machine::wanted_tool_centre() const {
   if (!kinematics::kHasFiveAxes || !interpreter_.state().tool_centre) return {};
   return {rotary_machine_from(settings()), interpreter_.shift().tool_length};
 }
 
-/// Begins or ends G43.4. The axes do not move; the programmed position changes its meaning.
+/// Begins or ends G43.4. The axes do not move. The programmed position becomes the position of the
+/// tip, or of the axes again.
 bool Machine::switch_tool_centre() {
   if (!standstill()) return false;
   tool_centre_ = wanted_tool_centre();
@@ -17,7 +19,7 @@ bool Machine::switch_tool_centre() {
   return true;
 }
 
-/// Ends G43.4 before the axes are moved separately.
+/// Ends G43.4, because axes are to be moved separately.
 /// @pre nothing moves
 void Machine::end_tool_centre() {
   if (!tool_centre_.active()) return;
@@ -25,7 +27,7 @@ void Machine::end_tool_centre() {
   static_cast<void>(switch_tool_centre());
 }
 
-/// Begins or ends G43.4 in check mode, where only the programmed position changes its meaning.
+/// Begins or ends G43.4 in check mode, in which only the programmed position is converted.
 void Machine::judge_tool_centre() {
   if (!kinematics::kHasFiveAxes) return;
   const Position axes = tool_centre_.axes_for(interpreter_.position());

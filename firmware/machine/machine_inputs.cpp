@@ -2,7 +2,8 @@
 
 namespace cnc {
 
-/// Reacts to a change of the settled inputs. Inputs that stop come before inputs that start.
+/// Reacts to a change of the filtered inputs. Inputs that stop the machine have priority over
+/// inputs that start it.
 void Machine::attend_inputs() {
   const hal::InputState& before = inputs_.before();
   const hal::InputState& now = inputs_.settled();

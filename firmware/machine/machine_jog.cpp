@@ -21,7 +21,7 @@ std::optional<JogRefusal> Machine::jog(std::string_view words) {
   const gcode::Action& action = actions.value().front();
   Position end = action.end;
   if (leaves_travel(actions.value(), here)) {
-    // If rotary axes move the tip, there is no nearest position for each axis.
+    // A jog cannot be limited axis by axis while rotary axes move the tip.
     if (settings().get(setting::kJogLimited) == 0.0F || tool_centre_.active()) {
       interpreter_.set_position(here);
       return JogRefusal{.number = kBeyondTravel};
@@ -40,7 +40,7 @@ void Machine::append_jog() {
   jog_.reset();
 }
 
-/// Drives a straight motion without overrides and with the beam off. Without a feed it is rapid.
+/// Appends a straight motion without overrides and with the beam off. A feed of 0 means a rapid.
 void Machine::drive_straight(const Position& end, float feed_mm_s, std::uint32_t line) {
   const auto appended =
       motion_.append({.request = {.element = {.start = motion_.target(), .end = end},
@@ -63,7 +63,7 @@ void Machine::attend_jog() {
   static_cast<void>(state_.take(Event::kOver));
 }
 
-/// Drops the rest of a cancelled jog.
+/// Drops the remaining motion of a cancelled jog.
 /// @pre motion_.at_rest()
 void Machine::drop_jog() {
   jog_.reset();

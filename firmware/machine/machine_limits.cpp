@@ -2,15 +2,16 @@
 
 namespace cnc {
 
-/// Stops for a line that would leave the travel or damage the part. The line moves nothing, earlier
-/// motion is held, and the alarm follows at rest, with the position known.
+/// Stops because the present line must not be driven, for example because it would leave the
+/// travel. The line moves nothing, earlier motion is held, and `alarm` follows at rest. The
+/// position stays known.
 void Machine::stop_for(Alarm alarm) {
   alarm_.stop_for(alarm);
   static_cast<void>(state_.take(Event::kHold));
   motion_.halt();
 }
 
-/// Checks a line in check mode, including its compensated path; the line does nothing else.
+/// Checks a line in check mode, including its compensated path. The line has no other effect.
 void Machine::judge(gcode::Actions actions, const Position& from) {
   if (leaves_travel(actions, from)) return raise_alarm(Alarm::kSoftLimit);
   for (const gcode::Action& action : actions) {
@@ -25,8 +26,8 @@ void Machine::judge(gcode::Actions actions, const Position& from) {
   actions_.begin(actions, false);
 }
 
-/// Raises the alarm of a limit switch. While homing, switches are sought; in an alarm or asleep
-/// nothing can be moving.
+/// Raises the alarm of a limit switch. Does nothing during homing, which seeks the switches, and in
+/// an alarm or asleep, where nothing moves.
 void Machine::hit_limit() {
   if (state_.in(Mode::kHome) || state_.in(Mode::kAlarm) || state_.in(Mode::kSleep)) return;
   raise_alarm(Alarm::kHardLimit);

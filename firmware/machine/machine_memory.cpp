@@ -2,8 +2,8 @@
 
 namespace cnc {
 
-/// Selects the memory to watch. Each change of the positions makes them trusted again. Memory that
-/// follows from settings is trusted again after a check of its old content.
+/// Selects the memory whose checksum is watched. A change of the positions updates their checksum.
+/// A change of the settings updates theirs only after the old content was checked.
 void Machine::watch_memory() {
   memory_.watch_settings_in(set_up_);
   memory_.watch_settings_in(interpreter_.options());

@@ -19,7 +19,7 @@ void Machine::jog_cancel() {
   if (state_.take(Event::kJogCancel)) motion_.halt();
 }
 
-/// Resumes at once, or after a spindle has restarted.
+/// Resumes the motion immediately, or after a suspended spindle has come up to speed.
 void Machine::resume() {
   if (state_.in(Mode::kDoor)) return resume_from_door();
   if (!state_.in(Mode::kHold) && !state_.in(Mode::kTool)) return;
@@ -40,7 +40,7 @@ void Machine::restart() {
   if (probing_.phase() != ProbeCycle::Phase::kStopping) motion_.go_on();
 }
 
-/// Cancels a resumption, because a hold came again before the spindle was up to speed.
+/// Cancels a resumption, because a hold was requested before the spindle was up to speed.
 void Machine::cancel_restart() {
   resumption_.cancel();
   tool_.suspend(true);

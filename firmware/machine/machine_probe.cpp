@@ -5,7 +5,7 @@ namespace cnc {
 using gcode::Action;
 
 /// Runs a probe: moves straight towards the target until the probe input changes, then brakes
-/// within the limits. The rest of the motion is dropped.
+/// within the limits. The remaining motion is dropped. Returns whether the action is done.
 bool Machine::probe(const Action& action) {
   using enum ProbeCycle::Phase;
   switch (probing_.phase()) {

@@ -2,7 +2,8 @@
 
 namespace cnc {
 
-/// Resets the machine. If motion is cut off, motors may lose steps, so the position is in doubt.
+/// Resets the machine. If this cuts motion off, motors may lose steps, so the position becomes
+/// unknown.
 void Machine::reset() {
   const bool homing = state_.in(Mode::kHome);
   const bool slept = state_.in(Mode::kSleep);
@@ -12,7 +13,7 @@ void Machine::reset() {
     raise_alarm(Alarm::kAbortInMotion);
   }
   alarm_.set_needs_reset(inputs().emergency_stop);
-  if (slept) set_homed(0);  // Without current the motors may have been turned.
+  if (slept) set_homed(0);  // The motors had no current in sleep, so they may have been turned.
   set_overrides({});
   cut_off();
 }
@@ -30,8 +31,8 @@ void Machine::raise_alarm(Alarm alarm) {
   cut_off();
 }
 
-/// Switches beam or spindle off at once; the motors stop within one interrupt. The rest of the work
-/// is dropped in a later cycle, when the motors have stopped.
+/// Switches the beam or spindle off immediately. The motors stop within one interrupt. Remaining
+/// actions and motion are dropped in a later cycle, when the motors have stopped.
 void Machine::cut_off() {
   alarm_.cut_off();
   tool_.off();
@@ -66,7 +67,7 @@ void Machine::drop_everything() {
   lock_until_homed();
 }
 
-/// Raises the alarm by which $22 requires a homing cycle before any other motion.
+/// Raises the alarm kHomingRequired if $22 requires a homing cycle before any other motion.
 void Machine::lock_until_homed() {
   const bool required = has_homing_option(settings(), homing_option::kEnabled) &&
                         has_homing_option(settings(), homing_option::kRequired);

@@ -8,20 +8,21 @@
 
 namespace cnc {
 
-/// The settings, the light that the beam gives at each duty, and the limits of the motion that
-/// follow from both. Other parts keep references to the settings and the limits.
+/// The settings, the table of the light power at each duty, and the motion limits that are computed
+/// from both. Other objects keep references to the settings and the limits.
 class MachineSetUp {
  public:
   [[nodiscard]] const Settings& settings() const { return settings_; }
   [[nodiscard]] const motion::PowerTable& power_table() const { return power_table_; }
-  /// Returns the limits since the last apply().
+  /// Returns the limits that the last apply() computed.
   [[nodiscard]] const motion::Limits& limits() const { return limits_; }
 
-  /// Changes a setting. Returns the stored value or an error. The limits follow by apply().
+  /// Changes a setting. Returns the stored value or an error. The limits do not change before
+  /// apply().
   Result<float, SettingError> set(std::uint16_t number, float value) {
     return settings_.set(number, value);
   }
-  /// Changes the power table. The limits follow by apply().
+  /// Changes the power table. The limits do not change before apply().
   void set_power_table(const motion::PowerTable& table) { power_table_ = table; }
   /// Recomputes the limits.
   /// @pre nothing moves

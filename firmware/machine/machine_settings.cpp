@@ -19,7 +19,7 @@ Result<float, SettingError> Machine::change_setting(std::uint16_t number, float 
   }
   apply_settings();
   if (other_scale) {
-    // The motors do not move, but their steps now mean another position.
+    // The motors do not move, but their step counts now correspond to another position.
     const std::size_t axis = number - setting::kStepsPerMm;
     set_homed(static_cast<std::uint8_t>(homed() & ~(1U << axis)));
     progress_.forget();
@@ -29,8 +29,9 @@ Result<float, SettingError> Machine::change_setting(std::uint16_t number, float 
   return stored;
 }
 
-/// Returns whether the tool's present steps are within reach at the stored resolutions. The
-/// resolution of one linear axis bounds the others, too.
+/// Returns whether the tool's present position, which the stored resolutions give for its step
+/// counts, is within the range of each axis. All axes are checked, because the resolution of one
+/// linear axis limits the range of all linear axes.
 bool Machine::place_fits() const {
   const Position reach = gcode_options_from(settings()).reach;
   for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
@@ -48,8 +49,9 @@ void Machine::set_power_table(const motion::PowerTable& table) {
   apply_settings();
 }
 
-/// Recomputes all values that follow from the settings. A setting whose bit flipped before is part
-/// of the new checksum, so settings are checked by a checksum of their own.
+/// Recomputes all values that follow from the settings. The new checksum of the memory would
+/// include a bit that flipped in a setting before. So the settings are checked by their own
+/// checksum (Settings::sound()).
 void Machine::apply_settings() {
   set_up_.apply();
   travel_.configure(settings());

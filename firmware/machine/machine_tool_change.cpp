@@ -21,7 +21,8 @@ bool Machine::acknowledge_tool() {
   return true;
 }
 
-/// Returns to the program's own lines and modes, with the offsets of this moment.
+/// Restores the waiting line and the modes of the program. Keeps the offsets that the tool change
+/// has set.
 void Machine::close_tool_change() {
   memory_.check_settings();
   ToolChange::Job& job = tool_change_.job();
@@ -32,7 +33,7 @@ void Machine::close_tool_change() {
   tool_change_.go_to(Stage::kClosed);
 }
 
-/// Handles a stop within a tool change: the motion of the present line or jog ends and is dropped,
+/// Stops the motion of the present line or jog in a tool change. The remaining motion is dropped,
 /// and the tool change stays open.
 void Machine::stop_in_tool_change() {
   if (!actions_.empty() || jog_) news_.line_failed.raise();
@@ -69,7 +70,7 @@ void Machine::attend_tool_change() {
   }
 }
 
-/// Moves rapidly back to `place`: up, across, down.
+/// Moves back to `place` by rapids: up, then across, then down.
 void Machine::go_back_to(const Position& place) {
   constexpr std::size_t kZ = index_of(Axis::kZ);
   Position way = motion_.target();

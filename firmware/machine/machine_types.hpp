@@ -7,7 +7,7 @@
 
 namespace cnc {
 
-/// The states that senders know, under Grbl's and grblHAL's names.
+/// The states of status reports, with the names of Grbl and grblHAL.
 enum class MachineState : std::uint8_t {
   kIdle,
   kRun,
@@ -21,23 +21,24 @@ enum class MachineState : std::uint8_t {
   kTool,   ///< A tool is to be changed (M6): waits for resume().
 };
 
-/// A state with the number that follows the colon in a report. Hold: 0 stopped, 1 still stopping.
-/// Door: 0 closed and ready to resume, 1 stopped and open, 2 stopping or parking, 3 resuming. Other
-/// states: 0.
+/// A state, and the number that follows its colon in a status report. Hold: 0 stopped, 1 still
+/// stopping. Door: 0 closed and ready to resume, 1 stopped and open, 2 stopping or parking, 3
+/// resuming. Other states: 0.
 struct MachineStatus {
   MachineState state = MachineState::kIdle;
   std::uint8_t substate = 0;
   constexpr bool operator==(const MachineStatus&) const = default;
 };
 
-/// Grbl 1.1's numbers up to 10, grblHAL's 11; from 23 on our own numbers, beyond those that grblHAL
-/// uses. (10 is an emergency stop there, a squaring fault in Grbl.)
+/// Numbers of the alarms. 1 to 10 are those of Grbl 1.1, and 11 is that of grblHAL. Numbers from 23
+/// on are our own, above those of grblHAL. In grblHAL, 10 is an emergency stop; in Grbl, and here,
+/// it is a squaring fault.
 enum class Alarm : std::uint8_t {
   kNone = 0,
   kHardLimit = 1,
-  kSoftLimit = 2,  ///< A line would have left the travel; nothing moved, the position is known.
+  kSoftLimit = 2,  ///< A line would leave the travel. It moved nothing; position known.
   kAbortInMotion = 3,
-  kProbeAtTarget = 4,  ///< The probe was in its final state already.
+  kProbeAtTarget = 4,  ///< The probe input already had its final state at the start.
   kProbeMissed = 5,
   kHomingReset = 6,
   kHomingDoor = 7,
@@ -45,11 +46,11 @@ enum class Alarm : std::uint8_t {
   kHomingNoSwitch = 9,       ///< No switch within the search distance.
   kHomingSecondSwitch = 10,  ///< The two motors of an axis are too far apart.
   kHomingRequired = 11,
-  kStarved = 23,  ///< Motion was cut off because the planner came too late.
+  kStarved = 23,  ///< Motion was cut off because the planner was too late.
   kEmergencyStop = 24,
   kLinkSilent = 25,    ///< The sender was silent while the beam was on; position known.
   kCompensation = 26,  ///< The compensated path cannot be driven; position known.
-  kPlaceNotMet = 27,   ///< A re-entered program did not pass its position, which is known.
+  kPlaceNotMet = 27,   ///< A re-entered program did not pass the noted position.
   kStoreDamaged = 28,  ///< Stored settings or positions could not be read at start.
 };
 
@@ -72,8 +73,9 @@ enum class HomingRefusal : std::uint8_t {
 
 /// Reason why a jog was refused.
 struct JogRefusal {
-  std::uint8_t number = 0;  ///< Grbl's error: 8 not idle, 15 beyond travel, 16 no jog, or G-code's.
-  gcode::Refusal fault{};   ///< Refused word, if any.
+  /// Error of Grbl: 8 not idle, 15 beyond travel, 16 no jog, or an error of G-code.
+  std::uint8_t number = 0;
+  gcode::Refusal fault{};  ///< Refused word, if any.
 };
 
 /// Result of the last G38, in machine coordinates.

@@ -7,11 +7,12 @@
 
 namespace cnc {
 
-/// Keeps the checksums of settings and of stored positions, and remembers whether a bit of either
-/// has flipped since they were trusted. Main loop only.
+/// Stores the checksums of the settings and of the stored positions, and whether a bit of either
+/// has flipped since the last call that trusted them. Main loop only.
 class MemoryGuard {
  public:
-  /// Adds settings, or memory that is computed from them, to the watched memory. It must not move.
+  /// Adds a part of the settings, or of memory that is computed from them, to the watched memory.
+  /// The part must not move.
   void watch_settings(MemoryWatch::Part part) { settings_.add(part); }
   template <typename Object>
   void watch_settings_in(const Object& object) {
@@ -23,23 +24,24 @@ class MemoryGuard {
     places_.add_object(object);
   }
 
-  /// Trusts the settings as they are, after a change.
-  /// @param are_sound the settings agree with their own checksum, which the change did not compute
+  /// Accepts the present content of the settings as correct, after a change.
+  /// @param are_sound whether the settings agree with their own checksum, Settings::sound()
   void trust_settings(bool are_sound);
-  /// Trusts the positions as they are.
+  /// Accepts the present positions as correct.
   /// @param revision number that changes with each change of the positions
   void trust_places(std::uint32_t revision);
-  /// Returns the last trusted revision.
+  /// Returns the revision of the last trust_places().
   [[nodiscard]] std::uint32_t trusted_places() const { return places_revision_; }
 
-  /// Checks all settings. To be called before motion is planned by them, or a change of them is
-  /// trusted. Otherwise a flipped bit of an acceleration or jerk might leave the beam on at one
-  /// point until the running check has found it.
+  /// Checks all settings. To be called when motion begins, and before a change of the settings is
+  /// trusted. Otherwise, after a bit of an acceleration or jerk has flipped, the beam might stay on
+  /// at one point until check() finds the bit.
   void check_settings();
-  /// Checks at most `bytes` further bytes of settings, and of positions. Returns false from the
-  /// first flipped bit on.
+  /// Checks at most `bytes` further bytes of settings, and of positions. Returns false once any
+  /// check has found a flipped bit.
   [[nodiscard]] bool check(std::size_t bytes);
-  /// Checks all positions, before they are stored. Returns the same as check().
+  /// Checks all positions; to be called before they are stored. Returns false once any check has
+  /// found a flipped bit.
   [[nodiscard]] bool check_places();
 
  private:

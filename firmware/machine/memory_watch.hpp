@@ -9,15 +9,15 @@
 
 namespace cnc {
 
-/// Finds bits that flipped in memory that no code writes meanwhile. It reads the parts of the
-/// memory piece by piece in repeated passes, and compares their checksum with the one of the
+/// Finds flipped bits in memory that no code changes between two calls of accept(). It reads the
+/// memory piece by piece in repeated passes, and compares its checksum with the checksum of the
 /// correct content. Main loop only.
 class MemoryWatch {
  public:
   static constexpr std::size_t kMaxParts = 8;
   using Part = std::span<const std::byte>;
 
-  /// Adds a part, which must not move.
+  /// Adds a part of the memory to watch. The part must not move.
   /// @pre fewer than kMaxParts parts were added
   void add(Part part);
   template <typename Object>
@@ -35,8 +35,8 @@ class MemoryWatch {
 
   /// Returns whether all parts still have the correct content. Reads all of them.
   [[nodiscard]] bool sound() const { return checksum() == expected_; }
-  /// Reads at most `bytes` further bytes. Returns false if they end a pass that found a difference.
-  /// A bit that flips in a part that was already read is found in the next pass.
+  /// Reads at most `bytes` further bytes. Returns false if this completes a pass whose checksum
+  /// differs. A bit that flips behind the reading position is found in the next pass.
   [[nodiscard]] bool check(std::size_t bytes);
 
  private:

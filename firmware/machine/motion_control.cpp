@@ -16,8 +16,8 @@ void MotionControl::feed_drive() {
   });
 }
 
-/// Notes the present distance with its tick. The motor stage outputs a cell ticks_ahead() later,
-/// and all motion up to this tick is in its cells.
+/// Stores the distance that the motion has travelled, together with its tick. The motor stage
+/// outputs a cell with a delay of ticks_ahead(), so the tick is that much later.
 void MotionControl::note_place() {
   const std::uint32_t tick = drive_.ticks_handed_over();
   if (lit_) trail_.note_light(tick);
@@ -59,8 +59,9 @@ void MotionControl::set_tool_centre(const kinematics::ToolCentre& centre) {
   drop_rest();
 }
 
-/// Updates the position of the axes. An axis may have reversed between two calls. At rest, where
-/// the position is certain, it is corrected.
+/// Updates the position of the axes from the step counts of the motors. On an axis with backlash,
+/// this position may be wrong if the axis reversed between two calls. At rest it is corrected by
+/// the known offset of the motor.
 void MotionControl::follow_tool() {
   axes_ = axis_steps();
   if (drive_.running() || !motors().at_rest() || !motors().settled()) return;

@@ -7,8 +7,8 @@
 
 namespace cnc {
 
-/// Moves the motors along a Pipeline's motion by a StepDrive, and knows the position of the tool.
-/// Main loop only.
+/// Moves the motors: passes the segments of the Pipeline to the StepDrive. Also computes the
+/// position of the tool. Main loop only.
 class MotionControl : private Pipeline {
  public:
   /// Parameters as in Pipeline.
@@ -36,8 +36,8 @@ class MotionControl : private Pipeline {
   using Pipeline::target;
   using Pipeline::tool_centre;
 
-  /// Returns whether append() may be called in this cycle; false while the main loop catches up.
-  /// Not inlined, because it is called at many points.
+  /// Returns whether append() may be called in this cycle. Returns false while the drive requires
+  /// the main loop to catch up. Not inlined, because it is called at many points.
   [[nodiscard, gnu::noinline]] bool has_room() const;
 
   /// Hands segments to the drive until it has enough of them. To be called after attend(); the
@@ -46,36 +46,37 @@ class MotionControl : private Pipeline {
 
   /// Returns whether nothing is planned, queued or moving.
   [[nodiscard]] bool drained() const { return empty() && !drive_.running(); }
-  /// Returns whether halt() has stopped the motors while the rest of the motion waits.
+  /// Returns whether halt() has stopped the motors and the remaining motion waits.
   [[nodiscard]] bool halted() const { return held() && !drive_.running(); }
-  /// Returns whether nothing moves; motion may wait.
+  /// Returns whether nothing moves. Held motion may wait.
   [[nodiscard]] bool at_rest() const { return (empty() || held()) && !drive_.running(); }
-  /// Drops all waiting motion; the tool's position becomes the target.
+  /// Drops all waiting motion. The position of the tool becomes the target.
   /// @pre the drive is not running
   void drop_rest();
 
-  // The path that was driven with the beam off, see LightGap.
+  // The driven path, for LightGap.
 
-  /// Begins or ends keeping the driven path, with the motion's present distance along it.
+  /// Begins or ends storing the driven path, and the distance along it at each tick (PlaceTrail).
   void keep_path(bool keeps) {
     Pipeline::keep_path(keeps);
     trail_.hold(keeps);
   }
-  /// Returns the distance driven since a tick of the drive's clock. The tick may be at most shortly
-  /// after keep_path().
+  /// Returns the distance driven since a tick of the drive's clock. The tick must be before
+  /// keep_path(true) or shortly after it.
   [[nodiscard]] motion::PathUnits distance_since(std::uint32_t tick) const {
     return trail_.distance_since(tick, travelled());
   }
   [[nodiscard]] bool is_lit_after(std::uint32_t tick) const { return trail_.is_lit_after(tick); }
-  /// Takes the motion back by `distance`, as Pipeline does. The motion continues after the motors
-  /// have been brought to place().
+  /// Takes the motion back by `distance` along the stored path. Returns the length along which this
+  /// is impossible. The motors must be moved to place() before the motion continues.
   /// @pre drained() or halted()
   motion::PathUnits go_back(motion::PathUnits distance);
 
   /// Sets input shaping and backlash. Has no effect if they are unchanged.
   /// @pre nothing moves, or they are unchanged
   void configure(const motion::MotorStageSetting& setting);
-  /// Ends following the kerf when no edge needs it any more and the motors rest on the path.
+  /// Ends the correction for the kerf once nothing is planned and the motors rest on the path. To
+  /// be called while no compensation is active.
   void stay_on_path() {
     if (follows_kerf() && on_path() && drained()) follow_kerf(nullptr);
   }
@@ -84,28 +85,31 @@ class MotionControl : private Pipeline {
   /// @pre drained()
   void set_tool_centre(const kinematics::ToolCentre& centre);
 
-  /// Returns the tool's position in motor steps without backlash. It is the position of the tip
-  /// unless rotary axes move the tip.
+  /// Returns the tool's position in motor steps without backlash. Under G43.4 it is the position of
+  /// the tip.
   [[nodiscard]] AxisArray<std::int32_t> tool_steps() const;
   /// Returns the tool's position in nanometres.
   [[nodiscard]] Position tool_place() const;
-  /// Returns the tool's position for a motor count that the step interrupt latched at a contact.
+  /// Returns the tool's position on an axis, in steps, for a motor count that the step interrupt
+  /// latched at a contact.
   /// @pre the axis was moving at the contact
   [[nodiscard]] std::int32_t tool_at_contact(std::size_t axis, std::int32_t steps) const {
     return steps - motors().backlash(axis).offset();
   }
-  /// Sets the tool's position; the caller must call drop_rest() afterwards.
+  /// Sets the tool's position on an axis. The caller must call drop_rest() afterwards.
   /// @pre nothing moves
   void set_tool(std::size_t axis, std::int32_t steps);
 
-  /// Returns the number of blocks that wait, and of blocks that could be added.
+  /// Returns the number of blocks that wait. blocks_free() returns the number of blocks that can be
+  /// added.
   [[nodiscard]] std::size_t blocks() const { return queue().size(); }
   [[nodiscard]] std::size_t blocks_free() const {
     return blocks() < queue().capacity() ? queue().capacity() - blocks() : 0;
   }
-  /// Returns the N of the oldest element that is not yet driven to its end; 0 for none.
+  /// Returns the N word of the oldest element that is not driven to its end; 0 if there is none.
   [[nodiscard]] std::uint32_t line_in_execution() const { return line().number; }
-  /// Returns the speed of the last segments cut, in mm/s; the motors reach it within 20 ms.
+  /// Returns the speed of the last planned segments, in mm/s; 0 at rest. The motors reach it within
+  /// 20 ms.
   [[nodiscard]] float speed() const { return drive_.running() ? Pipeline::speed() : 0.0F; }
   [[nodiscard]] float speed_mm_min() const { return kSecondsPerMinute * speed(); }
 
@@ -116,8 +120,9 @@ class MotionControl : private Pipeline {
 
   StepDrive& drive_;
   PlaceTrail trail_{};
-  bool lit_ = false;                ///< The last segment handed over has the beam on.
-  AxisArray<std::int32_t> axes_{};  ///< Last seen position of the axes, without backlash.
+  bool lit_ = false;  ///< Whether the last segment handed over has the beam on.
+  /// Position of the axes at the last follow_tool(), in steps without backlash.
+  AxisArray<std::int32_t> axes_{};
 };
 
 }  // namespace cnc

@@ -7,8 +7,8 @@
 
 namespace cnc {
 
-/// Switches the current in the motors. It flows from before the first step until $1 after the last
-/// step, and always in the motors of $37. Main loop context.
+/// Switches the current of the motors. The current is on from before the first step until the time
+/// $1 after the last step. The motors of $37 always have current. Main loop context.
 class MotorEnable {
  public:
   enum class Need : std::uint8_t {
@@ -21,12 +21,12 @@ class MotorEnable {
   MotorEnable(hal::AuxiliaryOutputs& outputs, const Settings& settings)
       : outputs_{outputs}, settings_{settings} {}
 
-  /// Switches the current as the machine needs it. To be called once in each cycle, before motion
-  /// is handed over.
+  /// Switches the current on or off, as `need` requires. To be called once in each cycle, before
+  /// motion is handed over.
   void attend(Need need, std::int32_t elapsed_us);
 
-  /// Returns whether motion may be handed over: the current has flowed for $884 since it was
-  /// switched on.
+  /// Returns whether motion may be handed to the drive: the current has been on for at least the
+  /// time $884.
   [[nodiscard]] bool ready() const { return wait_us_ <= 0; }
 
  private:
@@ -34,9 +34,9 @@ class MotorEnable {
 
   hal::AuxiliaryOutputs& outputs_;
   const Settings& settings_;
-  std::int32_t idle_us_ = 0;  ///< Time since the last motion, while the current flows.
-  std::int32_t wait_us_ = 0;  ///< Time until drivers that were off are ready.
-  bool active_ = false;       ///< $1 has not passed since the last motion.
+  std::int32_t idle_us_ = 0;  ///< Time since the last motion, until the current goes off.
+  std::int32_t wait_us_ = 0;  ///< Time until drivers that were switched on are ready.
+  bool active_ = false;       ///< Whether $1 has not passed since the last motion.
   std::uint8_t enabled_ = 0;  ///< Axes whose motors have current.
 };
 

@@ -6,14 +6,14 @@
 
 namespace cnc {
 
-/// Switches that the operator toggles by realtime bytes and `$B`, which stay until toggled back,
-/// and overrides, which stay until a reset or the end of the program.
+/// Switches that the operator toggles by realtime bytes and `$B`, and overrides. A switch keeps its
+/// state until it is toggled again. A reset or the end of the program resets the overrides.
 struct OperatorSwitches {
-  bool optional_stop = false;        ///< M1 pauses.
-  bool single_block = false;         ///< The machine pauses after each line.
-  bool block_delete_turned = false;  ///< Block delete is the opposite of $890.
+  bool optional_stop = false;        ///< Whether M1 pauses.
+  bool single_block = false;         ///< Whether the machine pauses after each line.
+  bool block_delete_turned = false;  ///< Whether block delete is the opposite of $890.
 
-  OverridePercent overrides{};  ///< In their ranges.
+  OverridePercent overrides{};  ///< Overrides, within their ranges.
 
   void toggle_optional_stop() { optional_stop = !optional_stop; }
   void toggle_single_block() { single_block = !single_block; }

@@ -9,35 +9,36 @@
 
 namespace cnc {
 
-/// For the last 0.128 s of motion: the distance of the motion along its path at each tick of the
-/// step clock, and the tick until which the beam is on.
+/// Samples of the last 0.128 s of motion or more: the distance that the motion has travelled along
+/// its path, at ticks of the step clock. Also the tick until which the beam is on.
 ///
-/// While the trail is held, its samples stay, and only the few that were still to come are added.
-/// So a tick shortly after hold() remains known.
+/// hold(true) keeps the present samples. Then only kComing more samples are added, so that a tick
+/// shortly after hold() is in the trail, too.
 ///
-/// Samples are at least kSpacing apart, and at most one segment more. Between samples the distance
-/// is interpolated linearly. At an acceleration a the error is at most a · (3 ms)² / 8, which is 6
-/// µm at 5,000 mm/s².
+/// The distance of two samples is at least kSpacing ticks, and at most the ticks of one segment
+/// more. Between samples the distance is interpolated linearly. At an acceleration a the error is
+/// at most a · (3 ms)² / 8, which is 6 µm at 5,000 mm/s².
 class PlaceTrail {
  public:
   static constexpr std::size_t kSamples = 64;
   static constexpr std::uint32_t kSpacing = motion::kTicksPerSecond / 500;
 
-  /// Drops all samples and begins with this one.
-  /// @param travelled running length in PathUnits, wraps
+  /// Drops all samples and adds the first new sample: at `tick`, the motion has travelled
+  /// `travelled`.
+  /// @param travelled running length of the path in PathUnits; wraps
   void begin(std::uint32_t tick, std::uint64_t travelled);
   /// Adds a sample: at `tick` the motion has `travelled` so far.
-  /// @param tick at or after the last sample's
+  /// @param tick at or after the tick of the last sample
   void add(std::uint32_t tick, std::uint64_t travelled);
-  /// Begins or ends keeping the present samples.
+  /// If `holds`, keeps the present samples from now on; otherwise ends this.
   void hold(bool holds) { left_ = holds ? kComing : kAny; }
-  /// Notes that the beam is on at times until this tick.
+  /// Notes that the beam is on until `tick`, with or without interruptions.
   void note_light(std::uint32_t tick) { lit_until_ = tick; }
 
-  /// Returns the distance from the motion's position at `tick` to `travelled`. For a tick before or
-  /// after all samples, the nearest sample is used.
+  /// Returns the length of the path from its point at `tick` to its point at `travelled`. For a
+  /// tick before or after all samples, the nearest sample is used.
   [[nodiscard]] motion::PathUnits distance_since(std::uint32_t tick, std::uint64_t travelled) const;
-  /// Returns whether the beam is on after `tick`.
+  /// Returns whether the beam is on at any time after `tick`.
   [[nodiscard]] bool is_lit_after(std::uint32_t tick) const { return after(lit_until_, tick) > 0; }
 
  private:
@@ -68,7 +69,7 @@ class PlaceTrail {
   std::size_t newest_ = 0;
   std::size_t count_ = 1;
   std::uint32_t lit_until_ = 0;
-  std::uint32_t left_ = kAny;  ///< Number of samples that may be added.
+  std::uint32_t left_ = kAny;  ///< Number of samples that may still be added.
 };
 
 }  // namespace cnc

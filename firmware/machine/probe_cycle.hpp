@@ -6,26 +6,27 @@
 
 namespace cnc {
 
-/// The phase of a probing cycle (G38), and the result of the last one.
+/// Phase of a probing cycle (G38), and the result of the last completed cycle.
 class ProbeCycle {
  public:
   enum class Phase : std::uint8_t {
     kNone,
     kMoving,
-    kStopping,  ///< The contact has changed; the motors brake along the rest of the motion.
+    kStopping,  ///< The probe input has changed. The motors brake along the path.
   };
 
   [[nodiscard]] Phase phase() const { return phase_; }
   void go_to(Phase phase) { phase_ = phase; }
-  /// Forgets a cycle that does not come to its end. The result of the one before stays.
+  /// Cancels a cycle. The result of the cycle before it stays.
   void cancel() { phase_ = Phase::kNone; }
-  /// Ends the cycle with its result.
+  /// Ends the cycle and stores its result.
   void end(const Probe& result) {
     cancel();
     last_ = result;
   }
 
-  /// Returns the result of the last probe; position 0 and no success before the first.
+  /// Returns the result of the last completed cycle. Before the first, its position is 0 and it is
+  /// no success.
   [[nodiscard]] const Probe& last() const { return last_; }
 
  private:

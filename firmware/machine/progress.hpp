@@ -8,10 +8,10 @@
 
 namespace cnc {
 
-/// Progress of a program that was interrupted: the line that was driven, or an earlier one, and the
-/// motors' position when the tool worked last, in steps of the machine.
+/// Progress of an interrupted program: the position at which the tool worked last, in steps, and
+/// the line of this position or an earlier line.
 struct Progress {
-  motion::SourceLine line{};  ///< Number 0: no program.
+  motion::SourceLine line{};  ///< Line; number 0 means that there is no program.
   AxisArray<std::int32_t> steps{};
 
   [[nodiscard]] bool any() const { return line.number != 0; }
@@ -23,7 +23,7 @@ struct Progress {
 class KeptProgress {
  public:
   void keep(const Progress& progress);
-  /// Returns the kept progress; an empty one if the content is not valid.
+  /// Returns the kept progress. If the content is not valid, returns an empty Progress.
   [[nodiscard]] Progress progress() const;
 
  private:

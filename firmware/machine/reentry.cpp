@@ -7,12 +7,14 @@ namespace cnc {
 
 namespace {
 
-/// Distance in mm from an element's end at which the element counts as complete: a step or two.
+/// Maximum distance of the point from an element's end, mm, at which the element counts as driven
+/// completely. It is one or two steps.
 constexpr float kAtEndMm = 0.02F;
 
 }  // namespace
 
-/// Returns whether `line` is the part of the line that was driven, or a later one.
+/// Returns whether `line` is the noted line from its noted part on, or a later line. Only its
+/// elements may contain the point.
 bool Reentry::may_hold(motion::SourceLine line) const {
   if (line.number != line_.number) return line.number > line_.number;
   return line.part >= line_.part;

@@ -6,20 +6,20 @@
 
 namespace cnc {
 
-/// Continues a program from where it was interrupted. From the line that was driven then, its path
-/// is driven with the beam off; from the point that the tool had reached, with the beam on. So the
-/// beam comes on at speed, and no more than a step or two is burnt twice.
+/// Continues a program from the point at which it was interrupted. Up to this point the path is
+/// driven with the beam off, and from this point on with the beam on. So the beam goes on at full
+/// speed, and at most one or two steps are burnt twice.
 class Reentry {
  public:
-  /// Greatest number of lines between the known line and the point: lines of a weld, or lines that
-  /// shapers delay.
+  /// Maximum number of lines from the noted line to the line of the point. The lines differ because
+  /// lines are welded, or because shapers delay the motion.
   static constexpr std::uint32_t kMaxLines = 4096;
 
   enum class Verdict : std::uint8_t {
-    kDark,   ///< Beam off for the whole element, which may end at the point.
-    kSplit,  ///< Beam off up to the element's new end; the rest of the element has the beam on.
-    kLit,    ///< The point has been passed: the beam is on.
-    kLost,   ///< The path does not pass the point.
+    kDark,   ///< The beam is off along the complete element. The point may be its end.
+    kSplit,  ///< The element was split at the point: its beam is off, and rest() has the beam on.
+    kLit,    ///< The element begins at the point: its beam is on.
+    kLost,   ///< The path has not passed the point within kMaxLines.
   };
 
   void begin(motion::SourceLine line, const Position& place) {
@@ -33,14 +33,15 @@ class Reentry {
   }
   [[nodiscard]] bool active() const { return active_; }
 
-  /// Decides about the beam on the next element of the path, and splits the element if necessary.
+  /// Decides whether the beam is on along the next element of the path. Splits the element if it
+  /// contains the point.
   /// @pre active()
-  /// @param beside_mm greatest distance of the point from the element
+  /// @param beside_mm maximum distance of the point from an element that contains it
   [[nodiscard]] Verdict judge(path::PathItem& item, float beside_mm);
 
-  /// Returns whether an element was split and its rest waits.
+  /// Returns whether an element was split and its second part waits to be driven.
   [[nodiscard]] bool has_rest() const { return has_rest_; }
-  /// Returns the rest of the split element, otherwise unchanged.
+  /// Returns the second part of the split element, with the beam on.
   /// @pre has_rest()
   [[nodiscard]] const path::PathItem& rest() const { return rest_; }
   void drop_rest() { has_rest_ = false; }

@@ -31,7 +31,7 @@ std::uint16_t RestLight::pass(std::int32_t elapsed_us, std::uint16_t duty) {
   return lit_ ? duty : std::uint16_t{0};
 }
 
-/// Sets the watch's own count. No later call lengthens it while the light lasts.
+/// Starts the count of the watch. While the light is on, further calls do not restart the count.
 void RestLight::arm() {
   if (periods_.load(std::memory_order_relaxed) != 0) return;
   const auto left_ms = static_cast<std::uint32_t>(left_us_) / 1000;

@@ -6,23 +6,23 @@
 
 namespace cnc {
 
-/// The light that a beam gives at rest, such as a pierce or a focus dot, within the duty and the
-/// time that the settings allow. The default allows none.
+/// Controls the light of a beam at rest, such as a pierce or a focus dot. The settings limit its
+/// duty and its time; by default, no light is allowed.
 ///
-/// The time counts from the last motion, or from the moment when the beam was switched off. So
+/// The allowed time is a total. It restarts only with a motion or a change of the spindle mode, so
 /// several dwells in a row burn no longer than one.
 ///
-/// Main loop, except allowed(), by which the watch that stops the chip bounds duty and time once
-/// more. The watch relies on the allowance, whose memory is checked, and has its own count of the
-/// time.
+/// Main loop, except allowed(). This function is called by the watch, which stops the chip if the
+/// beam exceeds the duty or the time. The watch uses the allowance, whose memory is checked for
+/// flipped bits, and counts the time itself.
 class RestLight {
  public:
-  /// Text of a refusal, for the sender.
+  /// Message to the sender when light was required but not allowed.
   static constexpr std::string_view kRefusalText = "Dark at rest: $870, $871";
-  /// Periods of the watch in a millisecond.
+  /// Number of periods of the watch in a millisecond.
   static constexpr std::uint32_t kPeriodsPerMs = 4;
 
-  /// Limits by $870 and $871; light requires both to be above 0.
+  /// Limits of the light by $870 and $871. Light is allowed only if both are above 0.
   struct Allowance {
     std::uint16_t greatest_duty = 0;  ///< 65535 is full power.
     std::int32_t longest_us = 0;
@@ -30,11 +30,11 @@ class RestLight {
 
   enum class Wish : std::uint8_t {
     kNone,
-    kDwell,  ///< Light at once, until end().
+    kDwell,  ///< Light immediately, until end().
     kDot,    ///< Light after kDotDelayUs without motion.
   };
-  /// Delay before a dot: longer than a sender needs from M3 to the next motion, which must not
-  /// begin with a burn.
+  /// Delay before a dot. It is longer than a sender needs between M3 and the next motion, so that
+  /// no point is burnt where this motion begins.
   static constexpr std::int32_t kDotDelayUs = 200'000;
 
   /// Sets the allowance.
@@ -44,39 +44,42 @@ class RestLight {
 
   void ask(Wish wish);
   void end() { wish_ = Wish::kNone; }
-  /// Restarts the allowed time, because the machine moves or the beam was switched off.
+  /// Restarts the allowed time and ends the light, because the machine moves or the spindle mode
+  /// was set.
   void renew();
-  /// Restarts after the end of a program: a refusal in the next program is reported again.
+  /// Forgets the refusals of a program, because it has ended. A refusal in the next program is
+  /// reported again.
   void forget_program() { refusal_ = Refusal::kNone; }
   [[nodiscard]] Wish wish() const { return wish_; }
 
-  /// Returns the duty from now on.
+  /// Returns the duty that the beam must have from now on.
   /// @param elapsed_us time since the last call
-  /// @param duty duty that the program requires; 0 if no light is allowed
+  /// @param duty duty that the program requires; 0 if the state of the machine permits no light
   [[nodiscard]] std::uint16_t pass(std::int32_t elapsed_us, std::uint16_t duty);
   [[nodiscard]] bool lit() const { return lit_; }
-  /// Starts and ends the watch's count. arm() is called before light that pass() returned, disarm()
-  /// after the output is off again.
+  /// Starts the count of the watch, before the output is switched on with the duty of pass().
+  /// disarm() ends the count, after the output was switched off.
   void arm();
   void disarm() { periods_.store(0, std::memory_order_release); }
 
-  /// Returns whether take_refusal() will be true.
+  /// Returns whether take_refusal() would return true.
   [[nodiscard]] bool has_refusal() const { return refusal_ == Refusal::kUntold; }
-  /// Returns true once in a program that required light and gets none, or gets none any longer.
+  /// Returns whether light that the program required was refused, or ended because the time was
+  /// over. Returns true once in a program.
   [[nodiscard]] bool take_refusal();
 
-  /// Returns the greatest duty that the beam may have; 0 if it must be off. Any context; to be
-  /// called once in each period of the watch in which the beam is on without motion.
+  /// Returns the maximum duty of the beam; 0 if the beam must be off. Any context. To be called
+  /// once in each period of the watch in which the beam is on at rest.
   [[nodiscard]] std::uint16_t allowed() noexcept;
 
  private:
   enum class Refusal : std::uint8_t { kNone, kUntold, kTold };
-  /// Greatest lateness of the main loop in ending the light, in periods.
+  /// Maximum delay with which the main loop ends the light, in periods of the watch.
   static constexpr std::uint32_t kLatePeriods = 3 * kPeriodsPerMs;
 
   Allowance allowance_{};
   std::int32_t left_us_ = 0;
-  std::int32_t waiting_us_ = 0;  ///< Time since the wish.
+  std::int32_t waiting_us_ = 0;  ///< Time since ask(), up to the delay.
   Wish wish_ = Wish::kNone;
   Refusal refusal_ = Refusal::kNone;
   bool lit_ = false;

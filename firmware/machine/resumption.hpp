@@ -6,26 +6,27 @@
 
 namespace cnc {
 
-/// The resumption of held motion, which waits until a spindle or the coolant runs again.
+/// Resumption of held motion. It waits until a spindle is up to speed again, or the coolant flows
+/// again.
 class Resumption {
  public:
-  /// Notes that the operator has resumed: the motion goes on when over() is true.
+  /// Notes that the operator has resumed. The motion must continue when over() is true.
   void begin() { is_pending_ = true; }
-  /// Gives a spindle or the coolant its time.
+  /// Starts the delay for a spindle or the coolant.
   void wait(float seconds) { dwell_.start(seconds); }
   /// Counts `elapsed_us`, the time since the last cycle began.
   void pass(std::int32_t elapsed_us) { dwell_.pass(elapsed_us); }
-  /// Ends the resumption because the motion goes on.
+  /// Ends the resumption, because the motion continues.
   void end() { is_pending_ = false; }
-  /// Ends the resumption, and the time that it waits for.
+  /// Ends the resumption and its delay.
   void cancel() {
     end();
     dwell_.cancel();
   }
 
-  /// Returns whether the operator has resumed, and the motion does not go on yet.
+  /// Returns whether the operator has resumed and the motion does not continue yet.
   [[nodiscard]] bool pending() const { return is_pending_; }
-  /// Returns whether no time is left to wait for.
+  /// Returns whether the delay is over.
   [[nodiscard]] bool over() const { return dwell_.over(); }
 
  private:

@@ -5,7 +5,7 @@
 namespace cnc {
 namespace {
 
-// Order of SettingGroup.
+// Groups in the order of SettingGroup, each with the number of its parent.
 constexpr std::array<SettingGroupInfo, kSettingGroupCount> kGroups{{
     {0, "General"}, {0, "Control signals"}, {0, "Limits"},  {0, "Homing"},
     {0, "Probing"}, {0, "Jogging"},         {0, "Spindle"}, {0, "Coolant"},

@@ -7,8 +7,8 @@
 #include "planner/motion/motors/shaper_impulses.hpp"
 
 /// Rows of the table of settings. Axes whose settings differ only in the letter share a row. The
-/// row has the number and the group of its first axis. It holds for all axes up to the next row of
-/// the same ten numbers, or up to C.
+/// row has the number and the group of its first axis. It applies to all axes before the first axis
+/// of the next row in the same ten numbers; if there is no such row, up to C.
 namespace cnc::setting_rows {
 
 using Group = SettingGroup;
@@ -27,7 +27,7 @@ inline constexpr const char* kThousandths = "#####0.000";
 inline constexpr const char* kAxisNames = "X,Y,Z,A,B,C";
 
 // clang-format off
-// The size is spelled out: deduced, GCC 12 puts the table into RAM.
+// The size is explicit: with a deduced size, GCC 12 puts the table into RAM.
 inline constexpr std::array<SettingInfo, 83> kRows{{
     SettingInfo{0, Group::kStepper, Type::kDecimal, "Step pulse time", "microseconds",
      1.0F, 12.0F, 5.0F, kThousandths,

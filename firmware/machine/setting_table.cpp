@@ -38,7 +38,7 @@ constexpr std::array<std::uint8_t, kCount> kRowOf = [] {
   return row_of;
 }();
 
-/// Returns the number of settings before this one in the same row.
+/// Returns the number of settings before the setting `index` in the same row.
 constexpr std::size_t place_in_row(std::size_t index) {
   std::size_t place = 0;
   while (place < index && kRowOf[index - place - 1] == kRowOf[index]) ++place;
@@ -74,7 +74,7 @@ constexpr std::size_t kUsedPages = [] {
 }();
 
 struct PageTable {
-  std::array<std::uint8_t, kPages> pages{};  ///< The first page is the one without settings.
+  std::array<std::uint8_t, kPages> pages{};  ///< Page 0 is the shared page without settings.
   std::array<std::array<std::uint8_t, kPageSize>, kUsedPages> indices{};
 };
 

@@ -13,7 +13,7 @@
 
 namespace cnc {
 
-/// Group in which a sender shows a setting; the numbers are those of `$EG`.
+/// Group under which a sender shows a setting. The numbers are those of `$EG`.
 enum class SettingGroup : std::uint8_t {
   kGeneral = 1,
   kControlSignals,
@@ -42,7 +42,7 @@ struct SettingGroupInfo {
   const char* name;
 };
 
-/// Kind of control with which a sender lets its user edit a value; grblHAL's numbers.
+/// Kind of control with which a sender edits a value. The numbers are those of grblHAL.
 enum class SettingType : std::uint8_t {
   kSwitch = 0,
   kBits = 1,    ///< The format names the bits, from bit 0 on.
@@ -52,8 +52,8 @@ enum class SettingType : std::uint8_t {
   kDecimal = 6,
 };
 
-/// One or two sentences that tell a user the purpose of a setting. Images compiled for size have
-/// one text for all settings; that saves the space that the functions of the other images need.
+/// One or two sentences that explain a setting to the user. In images that are compiled for size,
+/// all settings have the same text, to save flash.
 template <bool kIsKept>
 class SettingHelp {
  public:
@@ -82,7 +82,7 @@ struct SettingInfo {
   std::uint16_t number;
   SettingGroup group;
   SettingType type;
-  const char* name;  ///< Shown after axis_letter() and a blank.
+  const char* name;  ///< Name; if there is an axis_letter(), it is shown before the name.
   const char* unit;
   float least;
   float most;
@@ -93,8 +93,8 @@ struct SettingInfo {
   /// Returns whether the setting takes whole numbers only.
   [[nodiscard]] constexpr bool is_whole() const { return type != SettingType::kDecimal; }
 
-  /// Returns the letter of the setting's axis, with which its name begins; 0 if it is not a setting
-  /// of one axis.
+  /// Returns the letter of the axis to which the setting belongs; 0 if it does not belong to one
+  /// axis.
   [[nodiscard]] constexpr char axis_letter() const {
     if (group < SettingGroup::kX) return 0;
     return kAxisLetters[static_cast<std::size_t>(group) -
@@ -104,11 +104,11 @@ struct SettingInfo {
 
 enum class SettingError : std::uint8_t {
   kUnknown,     ///< No setting has this number.
-  kBelowRange,  ///< The least value is in the table.
+  kBelowRange,  ///< The value is below the minimum of the table.
   kAboveRange,
   kNotWhole,
-  kPlaceLost,  ///< At this resolution the present position would be out of reach.
-  kInUse,      ///< G43.4 is active and uses the setting.
+  kPlaceLost,  ///< With this resolution, the present position would be out of range.
+  kInUse,      ///< The setting cannot change while G43.4 uses it.
 };
 
 /// Returns the reason in words, for a message.
@@ -121,7 +121,7 @@ class SettingTable {
  public:
   class Iterator {
    public:
-    // NOLINTBEGIN(readability-identifier-naming): names that std::iterator_traits asks for.
+    // NOLINTBEGIN(readability-identifier-naming): names that std::iterator_traits requires.
     using iterator_category = std::input_iterator_tag;
     using value_type = SettingInfo;
     using difference_type = std::ptrdiff_t;
@@ -150,7 +150,8 @@ class SettingTable {
 };
 
 [[nodiscard]] inline SettingTable setting_table() { return {}; }
-/// Returns the index in the table; its size if no setting has this number.
+/// Returns the index of a setting in the table. If no setting has this number, returns the size of
+/// the table.
 [[nodiscard]] std::size_t setting_index(std::uint16_t number);
 /// Returns the setting; nothing if no setting has this number.
 [[nodiscard]] std::optional<SettingInfo> find_setting(std::uint16_t number);
@@ -176,8 +177,8 @@ class Settings {
   /// Returns a number that changes with each change of the settings. Code that keeps derived values
   /// compares it.
   [[nodiscard]] std::uint32_t revision() const { return revision_; }
-  /// Returns whether the values are those that were set; false if a bit has flipped in memory, also
-  /// between two changes.
+  /// Returns whether the values are still those that were set. Returns false once a bit of a value
+  /// has flipped in memory, also if other values were set since.
   [[nodiscard]] bool sound() const;
 
  private:

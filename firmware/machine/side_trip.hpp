@@ -7,26 +7,26 @@
 namespace cnc {
 
 /// Moves one axis away and back while the planned motion is held, or moves all axes to the point
-/// where that motion continues. The final position is exact to the fraction of a step.
+/// where that motion continues. The final position is exact, including the fraction of a step.
 ///
-/// It has its own queue and segmenter, because those of the held motion know where that motion
-/// stopped. It borrows the motors. Main loop only.
+/// It has its own queue and segmenter, because the queue and segmenter of the held motion contain
+/// the point where that motion stopped. It uses the motor stage of the held motion. Main loop only.
 class SideTrip {
  public:
-  /// @param held motion that later continues where it stopped
+  /// @param held held motion, which later continues where it stopped
   SideTrip(StepDrive& drive, MotionControl& held, const motion::Limits& limits)
       : drive_{drive}, motors_{held.motors()}, limits_{limits}, segmenter_{queue_, limits} {}
 
-  /// Begins at the tool's present position.
+  /// Begins a trip at `place`, the present position of the tool.
   /// @pre at_rest()
   void begin(const AxisArray<StepPosition>& place);
 
-  /// Moves one axis. A motion that has no length, or is out of reach, is complete at once.
-  /// @pre at_rest(), and begin() since a halt: the queue holds one motion only
+  /// Moves one axis to the position `to`. A motion without length, or out of range, is omitted.
+  /// @pre at_rest(); after halt(), begin() was called. The queue has capacity for one motion
   void go(std::size_t axis, StepPosition to, float feed_mm_s, const motion::BeamCommand& beam);
   /// Moves all axes along a straight line, like go() for one axis.
   void go(const AxisArray<StepPosition>& to, float feed_mm_s, const motion::BeamCommand& beam);
-  /// Slows down to rest; begin(place()) then drops the rest of the motion.
+  /// Decelerates to rest. begin(place()) then drops the remaining motion.
   void halt() { segmenter_.halt(); }
 
   void feed_drive();

@@ -4,8 +4,8 @@
 
 namespace cnc {
 
-/// Present task of the machine. Idle and Run are one mode: the state is Run if any action or motion
-/// is left.
+/// Present task of the machine. The states Idle and Run are one mode, kFree: the state is Run if
+/// any action or motion is left.
 enum class Mode : std::uint8_t {
   kFree,
   kJog,
@@ -22,9 +22,9 @@ enum class Mode : std::uint8_t {
 /// Event that may change the mode.
 enum class Event : std::uint8_t {
   kHold,
-  kResume,  ///< Cycle start; after a door, the moment when all is restored.
+  kResume,  ///< Cycle start. After a door: tool and coolant are restored, so the motion continues.
   kDoor,
-  kStay,  ///< After a door all is restored, but the operator must confirm.
+  kStay,  ///< After a door: tool and coolant are restored, but the operator must resume once more.
   kJog,
   kJogCancel,
   kHome,
@@ -37,14 +37,14 @@ enum class Event : std::uint8_t {
   kUnlock,
 };
 
-/// The drawing of ARCHITECTURE.md as a table: the mode to which each event leads, and the events
-/// without a meaning.
+/// State machine of the modes, as drawn in ARCHITECTURE.md. A table contains the mode to which each
+/// event leads. An event without a row for the present mode has no effect.
 class StateMachine {
  public:
   [[nodiscard]] Mode mode() const { return mode_; }
   [[nodiscard]] bool in(Mode mode) const { return mode_ == mode; }
   [[nodiscard]] bool allows(Event event) const;
-  /// Takes an event. Returns false, and changes nothing, if the event has no meaning in this mode.
+  /// Changes the mode by an event. If the event has no effect in the present mode, returns false.
   bool take(Event event);
 
  private:

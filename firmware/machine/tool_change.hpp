@@ -10,45 +10,48 @@
 
 namespace cnc {
 
-/// A tool change by hand (M6): the tool for which the program waits. If the sender takes part
-/// (0xA3), also the program's state that waits meanwhile, and the stage of the return to it.
+/// State of a manual tool change (M6): the tool for which the program waits. If the sender takes
+/// part (0xA3), also the stored state of the program, and the stage of the tool change.
 ///
-/// Lines and jogs of such a change move the machine and set offsets. At its end the tool returns to
-/// the program's position: up first, then across and down. The spindle starts there, as after a
-/// change without lines. The modes are restored; the offsets stay as the change has set them.
+/// If the sender takes part, its lines and jogs move the machine and set offsets. At the end, the
+/// tool returns to the program's position: up first, then across, then down. The spindle starts
+/// there, as after a tool change without lines. The modes of the program are restored. The offsets
+/// keep the values that the lines have set.
 class ToolChange {
  public:
   enum class Stage : std::uint8_t {
     kClosed,
     kOpen,      ///< Lines and jogs are accepted.
     kStopping,  ///< Motion is stopped and dropped; kOpen follows.
-    kEnding,    ///< The operator resumes; lines accepted before are done first.
+    kEnding,    ///< The operator has resumed. Lines that were accepted before are done first.
     kReturning,
   };
 
-  /// The waiting state of the program.
+  /// State of the program while it waits.
   struct Job {
-    std::optional<gcode::Interpreter> interpreter{};  ///< The program continues with it.
-    RestOfLine line{};  ///< Its views are valid after the return of the interpreter.
-    Position place{};   ///< Position of the tool in machine coordinates.
+    /// Interpreter with which the program continues.
+    std::optional<gcode::Interpreter> interpreter{};
+    /// Rest of the line of M6. Its views are valid once the interpreter is restored.
+    RestOfLine line{};
+    Position place{};  ///< Position of the tool in machine coordinates.
   };
 
   /// Notes the tool for which the program waits.
   void want(std::uint32_t tool) { wanted_ = tool; }
-  /// Forgets that tool, because the program goes on or is dropped.
+  /// Forgets the tool, because the program continues or is dropped.
   void forget_wanted() { wanted_.reset(); }
   /// Returns the tool for which M6 waits, if any.
   [[nodiscard]] std::optional<std::uint32_t> wanted() const { return wanted_; }
 
   [[nodiscard]] Stage stage() const { return stage_; }
   void go_to(Stage stage) { stage_ = stage; }
-  /// Ends the change because the operator resumes. Has an effect only while lines are accepted.
+  /// Ends the tool change, because the operator has resumed. Has an effect only in the stage kOpen.
   void end() {
     if (stage_ == Stage::kOpen) stage_ = Stage::kEnding;
   }
-  /// Returns whether a change is open, from 0xA3 until the program continues.
+  /// Returns whether the sender takes part in a tool change: from 0xA3 until the program continues.
   [[nodiscard]] bool open() const { return stage_ != Stage::kClosed; }
-  /// Returns whether no line is accepted.
+  /// Returns whether no line is accepted although the tool change is open.
   [[nodiscard]] bool busy() const { return stage_ > Stage::kOpen; }
 
   [[nodiscard]] Job& job() { return job_; }

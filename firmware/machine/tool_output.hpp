@@ -12,7 +12,7 @@
 
 namespace cnc {
 
-/// Returns a share of full output as a duty; 65535 is full. A share outside 0…1 is clamped.
+/// Converts a share of full output to a duty; 65535 is full. A share outside 0…1 is clamped.
 [[nodiscard]] std::uint16_t to_full_scale(float share);
 
 /// Settings of the tool ($30…$32).
@@ -22,56 +22,59 @@ struct ToolSettings {
   bool laser = false;
 };
 
-/// The beam or spindle: sets the power output by M3, M4, M5 and S.
+/// The output for the beam or spindle. It follows M3, M4, M5 and S.
 ///
-/// The power of a laser follows the motion and is off at rest. A spindle turns independently of the
-/// motion, so a new speed waits for standstill and stays during rapids.
+/// The power of a laser follows the motion and is off at rest. The speed of a spindle does not
+/// depend on the motion. It changes only at standstill, and it stays during rapids.
 class ToolOutput {
  public:
   ToolOutput(StepDrive& drive, hal::AuxiliaryOutputs& outputs) : drive_{drive}, outputs_{outputs} {}
 
   void configure(const ToolSettings& settings);
 
-  /// Returns whether a change of speed must wait for standstill. A change of mode always must,
+  /// Returns whether a change of S must wait for standstill. A change of the mode must always wait,
   /// because it switches the enable output.
   [[nodiscard]] bool speed_waits_for_standstill() const { return !settings_.laser; }
 
   void set_mode(gcode::SpindleMode mode);
   void set_speed(float speed);
   void set_override(float factor);
-  /// Interrupts the tool without changing its mode: for a door, a tool change, the operator's
-  /// spindle stop. A beam goes off at once, even if the machine still moves.
+  /// If `suspended`, switches the tool off without a change of its mode: for a door, a tool change,
+  /// a lost link or a spindle stop. A beam goes off immediately, even if the machine still moves.
+  /// Otherwise restores the tool.
   void suspend(bool suspended);
   [[nodiscard]] bool suspended() const { return suspended_; }
   void off() { set_mode(gcode::SpindleMode::kOff); }
-  /// Switches off and sets the speed to 0, as after power-up.
+  /// Switches the tool off and sets S to 0, the state after power-up.
   void reset();
 
-  /// Returns the share of full power by S and the override, 0…1; 0 with M5.
+  /// Returns the share of full power that S and the override give, 0…1; 0 under M5.
   [[nodiscard]] float share_now() const;
-  /// Sets the duty of a beam at rest from now on; 65535 is full. A change of mode to M5 ends it,
-  /// and so does suspend().
+  /// Sets the duty of a beam at rest; 65535 is full. The output is 0 while the mode is M5 or the
+  /// tool is suspended.
   void light_at_rest(std::uint16_t duty);
 
-  /// Returns the powers that command_for() would give for values of S while a beam works.
+  /// Returns the powers for the values `speeds` of S in a row. They equal those of command_for()
+  /// while a beam is on.
   [[nodiscard]] path::RowPowers powers_of(std::span<const float> speeds) const {
     return {.values = speeds, .least = min_speed(), .full = settings_.max_speed};
   }
-  /// Returns the beam command of the next motion.
+  /// Returns the beam command for the next motion.
+  /// @param rapid whether this motion is a rapid, in which a beam is off
   [[nodiscard]] motion::BeamCommand command_for(bool rapid) const;
 
   [[nodiscard]] gcode::SpindleMode mode() const { return mode_; }
-  /// Returns the real mode, which is off while suspended.
+  /// Returns the effective mode: off while the tool is suspended, otherwise mode().
   [[nodiscard]] gcode::SpindleMode mode_now() const {
     return suspended_ ? gcode::SpindleMode::kOff : mode_;
   }
   [[nodiscard]] bool is_laser() const { return settings_.laser; }
-  /// Returns whether the output is off at rest, except for light that light_at_rest() allows. The
-  /// output is off before this becomes true. Any context.
+  /// Returns whether the output is off at rest, except for the duty of light_at_rest(). This
+  /// becomes true only after the output was switched off. Any context.
   [[nodiscard]] bool is_dark_at_rest() const {
     return dark_at_rest_.load(std::memory_order_relaxed);
   }
-  /// Returns the settings of configure().
+  /// Returns the settings that configure() has set.
   [[nodiscard]] const ToolSettings& settings() const { return settings_; }
   /// Returns the S that gives full output.
   [[nodiscard]] float max_speed() const { return settings_.max_speed; }

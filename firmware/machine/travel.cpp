@@ -10,8 +10,8 @@
 namespace cnc {
 namespace {
 
-/// Distance in nanometres by which a circle that touches the end of the travel may exceed it by
-/// rounding: its radius is a float.
+/// Distance, nm, by which a circle may exceed the end of the travel. A circle that touches the end
+/// may exceed it by rounding, because its radius is a float.
 constexpr Coordinate kSlack{1000};
 
 }  // namespace

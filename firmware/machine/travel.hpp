@@ -11,14 +11,14 @@
 
 namespace cnc {
 
-/// The range of the axes between their ends, in machine coordinates, which the soft limits ($20)
-/// let no motion leave.
+/// The travel of the axes, in machine coordinates. Soft limits ($20) refuse a motion that would
+/// leave it.
 ///
-/// Only homed axes are checked, because the ends of the others are unknown. Endless axes (travel 0)
-/// are never checked.
+/// Only homed axes are checked, because the machine coordinates of other axes are unknown. Endless
+/// axes (travel 0) are never checked.
 class Travel {
  public:
-  /// The five-axis machine whose axes move a tip under G43.4.
+  /// The five-axis machine that moves the tip under G43.4.
   struct FiveAxes {
     const kinematics::ToolCentre& centre;
     const motion::Limits& limits;
@@ -33,21 +33,22 @@ class Travel {
   /// Returns the axes whose machine coordinates are known, bit i for axis i.
   [[nodiscard]] std::uint8_t homed() const { return homed_; }
 
-  /// Returns whether a motion of these actions from `from` would leave the travel. For an arc or a
-  /// spline its true extremes count.
+  /// Returns whether a motion of the actions, which begin at `from`, would leave the travel. For an
+  /// arc or a spline, its exact extreme positions are checked.
   [[nodiscard]] bool left_by(gcode::Actions actions, const Position& from) const;
-  /// Returns whether motions of a tip would take an axis out of the travel, or the tilting axis out
-  /// of its limits, which hold without homing, too. Axes may be reported outside if they are less
-  /// than 0.2 mm inside the end of the travel on lines of 100 mm and arcs.
-  /// @param elements is used to divide the actions, and cleared
+  /// Returns whether motions of the tip under G43.4 would move an axis out of the travel, or the
+  /// tilting axis out of its limits. These limits are also checked if the axis is not homed. An
+  /// axis may be reported outside although it is inside the travel by less than 0.2 mm, on arcs and
+  /// on lines of 100 mm.
+  /// @param elements working storage in which the actions are divided; cleared at the end
   /// @pre centre.active(); the actions are lines and arcs; elements are not active
   [[nodiscard]] bool left_by(gcode::Actions actions,
                              const Position& from,
                              const FiveAxes& machine,
                              ActionElements& elements) const;
-  /// Returns whether a position is inside.
+  /// Returns whether a position is inside the travel of all checked axes.
   [[nodiscard]] bool holds(const Position& place) const { return contains(place); }
-  /// Returns the nearest position inside, axis by axis.
+  /// Returns the position, with each checked axis clamped to its travel.
   [[nodiscard]] Position clamped(const Position& place) const;
 
  private:
@@ -57,13 +58,14 @@ class Travel {
   [[nodiscard]] bool contains_arc(const Position& start, const gcode::Action& arc) const;
 
   std::uint8_t homed_ = 0;
-  std::uint8_t judged_ = 0;  ///< Homed axes that are checked.
+  std::uint8_t judged_ = 0;  ///< Axes that are checked, bit i for axis i.
   Position min_{};
   Position max_{};
 };
 
-/// Travel of an axis in machine coordinates. As in Grbl, it is on the negative side of zero. If
-/// homing sets the origin ($22 bit 3) at the lower end ($23), it is on the positive side.
+/// Travel of an axis in machine coordinates. As in Grbl, it extends from zero to negative
+/// coordinates. If homing sets the origin ($22 bit 3) at the lower end ($23), it extends to
+/// positive coordinates.
 struct AxisTravel {
   Coordinate least{};
   Coordinate most{};

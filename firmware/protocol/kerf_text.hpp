@@ -13,24 +13,25 @@
 
 namespace cnc {
 
-/// A part of a kerf table's image, written as `0:4B465401…`: number of the part, then its bytes.
+/// A part of the image of a kerf table. Its text is `0:4B465401…`: the number of the part, then its
+/// bytes in hexadecimal.
 struct KerfPart {
   std::size_t number = 0;
   std::array<std::byte, KerfTables::kPartBytes> bytes{};
   std::size_t size = 0;
 };
-/// Reads a part. Returns false if `text` does not have this form.
+/// Reads a part. Returns false if `text` is not the text of a KerfPart.
 [[nodiscard]] bool read_kerf_part(std::string_view text, KerfPart& part);
-/// Writes a part in the form that read_kerf_part() reads.
+/// Writes the text of a part, which read_kerf_part() reads.
 void put_kerf_part(Reply& reply, std::size_t number, std::span<const std::byte> bytes);
 
-/// A question about a kerf width, such as `CSP 1N,2.0,1800,4000`: name of the table, thickness in
-/// mm, power in W, speed in mm/min, with at most three decimals.
+/// A question about a kerf width. Its text is, for example, `CSP 1N,2.0,1800,4000`: name of the
+/// table, thickness in mm, power in W, speed in mm/min. The numbers have at most three decimals.
 struct KerfQuestion {
   std::string_view name{};
   kerf::Condition condition{};
 };
-/// Reads a question. Returns nothing if `text` does not have this form.
+/// Reads a question. Returns nothing if `text` is not the text of a KerfQuestion.
 [[nodiscard]] std::optional<KerfQuestion> read_kerf_question(std::string_view text);
 
 /// Writes a summary of a table, such as `[KERF:CSP 1N|W/(mm/min)|T 0.5-2|P 1200-1800|built in]`,

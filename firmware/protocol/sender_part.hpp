@@ -14,9 +14,9 @@ class SenderPart {
   void end() { is_taken_ = false; }
   [[nodiscard]] bool taken() const { return is_taken_; }
 
-  /// Notes `~`; lines that came before it are done first.
+  /// Notes that `~` was received. Lines that were received before it are done first.
   void note_resume() { resumes_ = true; }
-  /// Ends the wait for these lines.
+  /// Ends the wait for the lines that were received before `~`.
   void end_resume() { resumes_ = false; }
   [[nodiscard]] bool resumes() const { return resumes_; }
 

@@ -28,8 +28,8 @@ inline void delay(motion::Segment& segment, std::uint32_t ticks) {
   }
 }
 
-/// Commands the output earlier or later than the motion, so that the light falls on its part of the
-/// path. This is the main loop's end of a PowerStream.
+/// Shifts the output in time against the motion, so that the light falls on the correct part of the
+/// path. It runs in the main loop and writes to a PowerStream.
 ///
 /// From one planned standstill to the next both streams have the same length. With a positive lag
 /// the output begins with the motion's first piece, the steps wait, and the output ends before
@@ -38,7 +38,7 @@ inline void delay(motion::Segment& segment, std::uint32_t ticks) {
 /// the piece before it. So a gap or a flash that is shorter than the delays allow vanishes. A delay
 /// never switches the beam on before its motion, nor after it.
 ///
-/// The last pieces are kept back as long as an edge may still move into them.
+/// The last pieces are kept until no edge can move into them any more.
 class PowerShift {
  public:
   /// Capacity for the pieces of 5 ms at 20,000 pixels per second, and of a segment.
@@ -52,13 +52,14 @@ class PowerShift {
   /// @pre settled()
   void configure(const BeamTiming& timing) { timing_ = timing; }
 
-  /// Returns whether no piece is kept back: the next piece begins a motion.
+  /// Returns whether no piece is kept, so that the next piece begins a motion.
   [[nodiscard]] bool settled() const { return settled_; }
-  /// Returns how long the steps must wait at the beginning of a motion, in ticks.
+  /// Returns the delay of the steps at the beginning of a motion, in ticks.
   [[nodiscard]] std::uint32_t wait() const {
     return static_cast<std::uint32_t>(std::max<std::int32_t>(0, timing_.lag));
   }
-  /// Returns by how many ticks further ahead motion must be known.
+  /// Returns the number of ticks by which motion must be known further ahead than without the
+  /// shift.
   [[nodiscard]] std::uint32_t look_ahead() const { return wait() + held_ticks(); }
   /// Returns the time from the command to the end of the light, relative to the motors, in ticks.
   [[nodiscard]] std::int32_t light_behind() const {
@@ -117,8 +118,8 @@ class PowerShift {
     ticks_ += piece.ticks;
   }
 
-  /// Removes up to `ticks` from the end, from pieces for which `may_go` returns true; returns the
-  /// ticks removed.
+  /// Removes up to `ticks` ticks from the end of the kept pieces. Stops at a piece for which
+  /// `may_go` returns false. Returns the number of removed ticks.
   template <typename Condition>
   std::uint32_t cut(std::uint32_t ticks, Condition may_go) {
     std::uint32_t left = ticks;
@@ -132,8 +133,10 @@ class PowerShift {
     return ticks - left;
   }
 
-  /// Makes the next piece begin `ticks` earlier, with this level. Not inlined, because it is long
-  /// and only edges of light move.
+  /// Moves the edge of the beam between the kept pieces and the next piece: it becomes up to
+  /// `ticks` earlier. The last kept pieces are shortened, and a piece of the same length with
+  /// `level` is added. Not inlined, because it is long and only edges of the beam need it.
+  /// @param level level of the output after the edge; 0 if the beam goes off
   [[gnu::noinline, gnu::cold]] void move_edge(std::uint32_t ticks, std::uint16_t level) {
     const bool dark = level != 0;
     const std::uint32_t moved =
@@ -141,8 +144,8 @@ class PowerShift {
     if (moved > 0) append({.ticks = moved, .course = {.first = level}});
   }
 
-  /// Passes on the pieces that are older than `keep` ticks, and pieces for which there is no free
-  /// space.
+  /// Passes the oldest pieces to the stream, until the others last less than `keep` ticks and there
+  /// is free space for kMaxAppended more.
   template <typename Stream>
   void release(std::uint32_t keep, Stream& stream) {
     constexpr std::size_t kMaxAppended = 3;

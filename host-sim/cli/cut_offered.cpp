@@ -29,8 +29,8 @@ LayerSettings with_values(LayerSettings settings,
   return settings;
 }
 
-/// Returns the settings of a layer: the offered ones, overridden by the options of all cuts,
-/// overridden by the rules.
+/// Returns the settings of a layer. Options for all cuts override the offered settings, and rules
+/// override both.
 LayerSettings applied(const CutCommandOptions& options,
                       const drawing::Layer& layer,
                       const std::vector<cut::LayerRule>& rules,
@@ -39,8 +39,9 @@ LayerSettings applied(const CutCommandOptions& options,
   return settings_for(layer, common_settings(options, base), rules, base);
 }
 
-/// Returns whether the call gives the setting `key` of a layer. Options of all cuts do not count if
-/// the layer is `engraved`.
+/// Returns whether the command line sets `key` for a layer: by a rule of the layer, or by an option
+/// for all cuts. Options for all cuts do not apply to an engraved layer.
+/// @param own rules that apply to the layer
 bool is_said(const CutCommandOptions& options,
              const std::vector<const cut::LayerRule*>& own,
              bool engraved,
@@ -74,7 +75,8 @@ void drop_operation(OfferedValues& offered, LayerChoice& choice, const std::stri
   if (!dropped.empty()) choice.not_taken.push_back(fmt::format("{} not, {}", dropped, reason));
 }
 
-/// Returns the use of the power and speed of a side: `lines`, `filling` or `pictures`.
+/// Returns the use for which power and speed are given, if the layer has this side: `lines`,
+/// `filling` or `pictures`.
 std::string_view use_of(cut::Side side) {
   if (side == cut::Side::kFill) return "filling";
   return side == cut::Side::kImage ? "pictures" : "lines";

@@ -41,8 +41,9 @@ struct CutCommandOptions {
   OutlineOptions curves{.tolerance_mm = 0.003};
   RecordOptions record;
   double thickness_mm = 0.0;        ///< Thickness of the material; 0 if not given.
-  std::optional<double> kerf_mm{};  ///< Known kerf, which replaces the record's.
-  std::string entry;                ///< Entry of the material; empty for any.
+  std::optional<double> kerf_mm{};  ///< Known kerf, mm, which replaces the kerf of the record.
+  /// Name of the entry of the material; if empty, any entry is used.
+  std::string entry;
   /// Keys and values of the material's entry.
   std::vector<std::pair<std::string, std::string>> known;
   std::string laser;  ///< Laser of this machine; empty if not named.

@@ -28,7 +28,8 @@ struct RegionOptions {
   std::string slope;    ///< Range of slopes, `LOW:HIGH` in degrees; empty for any.
   std::string rest_of;  ///< Larger tool that milled before; empty for none.
   double rest_allowance_mm = 0.0;
-  /// Least depth of the rest; 0 for three tolerances, at least 0.02 mm.
+  /// Thickness, mm, above which stock is rest. If 0: three times the tolerance, but at least 0.02
+  /// mm.
   double rest_depth_mm = 0.0;
 
   [[nodiscard]] bool any() const { return !boundary.empty() || !slope.empty() || !rest_of.empty(); }

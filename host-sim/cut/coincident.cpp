@@ -26,7 +26,8 @@ int depth_of(Side side) {
 
 std::vector<drawing::Fault> skip_coincident(const drawing::Drawing& drawn,
                                             std::vector<Side>& sides) {
-  // For each group of coincident contours, by its first drawn contour: the selected contour.
+  // Map from the first drawn contour of a group of coincident contours to the contour that is
+  // selected from this group.
   std::map<std::size_t, std::size_t> deepest;
   for (std::size_t i = 0; i < drawn.contours.size(); ++i) {
     const auto& lies_on = drawn.contours[i].lies_on;

@@ -18,11 +18,11 @@ struct CutFigures {
   double rapid_length_mm = 0.0;
   std::size_t corners = 0;        ///< Number of corners of the beam's path along parts.
   std::size_t corner_loops = 0;   ///< Number of corners at which the beam makes a loop.
-  double corner_loop_mm = 0.0;    ///< Length that these loops add to the cuts.
+  double corner_loop_mm = 0.0;    ///< Length that loops at corners add to the cuts.
   std::size_t corner_dwells = 0;  ///< Number of corners at which the beam makes a dwell.
-  double corner_dwell_s = 0.0;    ///< Total time of these dwells.
+  double corner_dwell_s = 0.0;    ///< Total time of the dwells at corners.
   std::size_t pictures = 0;       ///< Number of burnt pictures, where each pass counts.
-  double burnt_mm = 0.0;          ///< Burnt length of the rows of these pictures.
+  double burnt_mm = 0.0;          ///< Burnt length of the rows of all pictures.
   double job_time_s = 0.0;        ///< Time of the job, as simulated or as predicted.
   /// Whether the job was simulated. The time of long jobs is only predicted.
   bool is_simulated = true;

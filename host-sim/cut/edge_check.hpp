@@ -33,10 +33,10 @@ struct EdgePlace {
 struct EdgeFigures {
   /// Greatest width that is cut off the part, at the points that the plan's beam touches.
   EdgePeak max_off{};
-  /// Greatest width that is left on the part, at the same points. Inner corners, slots and tabs are
-  /// not among them.
+  /// Greatest width that is left on the part, at the points that the plan's beam touches. Points of
+  /// inner corners, slots and tabs do not count.
   EdgePeak max_left{};
-  double mean_mm = 0.0;  ///< Mean of the absolute distances at these points.
+  double mean_mm = 0.0;  ///< Mean of the absolute distances at the touched points.
   /// Number of checked points that the plan's beam touches; 0: nothing was cut.
   std::size_t places = 0;
   double untouched_mm = 0.0;  ///< Length of drawn edges that the plan's beam does not touch.

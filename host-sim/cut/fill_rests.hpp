@@ -29,9 +29,9 @@ struct FillRest {
 /// covers them, and each is longer than two intervals.
 struct ThinParts {
   std::size_t count = 0;
-  double length_mm = 0.0;   ///< Total length of these parts.
-  double longest_mm = 0.0;  ///< Length of the longest of these parts.
-  Place place{0.0, 0.0};    ///< A point in the longest of these parts.
+  double length_mm = 0.0;   ///< Total length of the thin parts.
+  double longest_mm = 0.0;  ///< Length of the longest thin part.
+  Place place{0.0, 0.0};    ///< A point in the longest thin part.
 };
 
 /// The gaps that the rows of an area leave: lines that cover gaps, and parts that stay uncovered.

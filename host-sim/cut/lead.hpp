@@ -20,7 +20,7 @@ inline constexpr double kPierceWayMm = 0.1;
 /// The space that must stay free of leads.
 struct LeadRoom {
   const Clearance& parts;   ///< The drawn edges of all parts.
-  double half_kerf_mm = 0;  ///< Least distance between a lead and one of these edges.
+  double half_kerf_mm = 0;  ///< Minimum distance between a lead and the edges of `parts`.
 };
 
 /// The leads of a cut that begins at a certain point of its contour. A lead that is not required is

@@ -25,17 +25,17 @@ constexpr double kSamePlaceMm = 1.0e-6;
 constexpr double kNoMore = 1.0e-6;  ///< Tolerance for rounding at a limit, mm.
 /// Share of half the kerf by which two paths may be too near to each other.
 constexpr double kWideEnough = 1.0e-3;
-/// Greatest decrease of the radius per length of a stretch that gets a line. A stretch whose end
-/// narrows faster is a corner.
+/// Maximum decrease of the radius per length, mm per mm. A stretch whose end narrows faster is a
+/// corner and has no line.
 constexpr double kSteepest = 0.5;
-/// Half the length of a line that replaces a point, in half kerfs.
+/// Half the length of a line that replaces a point, as a share of half the kerf.
 constexpr double kDot = 0.25;
 
 /// The kind of point at which a stretch ends.
 enum class NarrowEnd : std::uint8_t {
   kPath,   ///< A point from which on the waste is wider, so that a path of the beam begins there.
   kLimit,  ///< A point beyond which a cut would take too much off the edges.
-  kNode,   ///< A node of the axis at which the stretch ends.
+  kNode,   ///< A node of the medial axis.
 };
 
 struct End {
@@ -43,7 +43,8 @@ struct End {
   std::uint32_t node = 0;  ///< Number of the node, if a node is the end.
 };
 
-/// A part of a chain of the axis along which waste is narrower than the kerf.
+/// A stretch of the medial axis along which the waste is narrower than the kerf. It is part of a
+/// chain.
 struct Narrow {
   std::vector<AxisPoint> points{};
   End from{};
@@ -81,8 +82,8 @@ void shorten(std::vector<AxisPoint>& points, double length) {
   }
 }
 
-/// Returns the points of a chain, and between them the points at which the radius has one of the
-/// limits.
+/// Returns the points of a chain. Inserts the points between them at which the radius equals
+/// `least` or `most`.
 std::vector<AxisPoint> with_limits(const AxisChain& chain, double least, double most) {
   std::vector<AxisPoint> points{chain.points.front()};
   for (std::size_t i = 1; i < chain.points.size(); ++i) {
@@ -142,8 +143,8 @@ class NarrowFinder {
 
   const MedialAxis& axis_;
   double half_;
-  double min_;  ///< Least radius of waste that gets a line.
-  double max_;  ///< Radius from which on waste is too wide for a line.
+  double min_;  ///< Minimum radius of the waste, mm, for which there is a line.
+  double max_;  ///< Radius of the waste, mm, from which on there is no line.
   std::vector<Narrow> narrows_{};
   std::vector<std::uint32_t> degrees_;  ///< Number of ends of narrow stretches at each node.
   drawing::PieceSets sets_;             ///< Sets of nodes that narrow stretches connect.
@@ -178,7 +179,7 @@ void NarrowFinder::divide(const AxisChain& chain) {
   }
 }
 
-/// Determines the sets of connected nodes, and to which of these sets paths lead.
+/// Determines the sets of connected nodes, and marks the sets to which a path leads.
 void NarrowFinder::note_sets() {
   for (const Narrow& narrow : narrows_) {
     for (const End& end : {narrow.from, narrow.to}) {
@@ -210,8 +211,8 @@ void NarrowFinder::drop_corners() {
   for (bool is_changed = true; is_changed;) {
     is_changed = false;
     std::vector<Narrow> kept;
-    // All stretches are checked in the same state. A stretch that becomes an end because another
-    // one is dropped is checked in the next pass.
+    // All stretches are checked in the same state. If dropping a stretch gives another stretch a
+    // free end, this other stretch is checked in the next pass.
     std::vector<bool> goes;
     for (const Narrow& narrow : narrows_) goes.push_back(is_corner(narrow));
     for (std::size_t i = 0; i < narrows_.size(); ++i) {

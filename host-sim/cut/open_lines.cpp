@@ -15,7 +15,7 @@ using drawing::DrawnContour;
 /// The open contours of one layer that are changed to cuts on the line.
 struct LayerLines {
   std::size_t count = 0;
-  std::size_t first = 0;  ///< Number of the first of these contours.
+  std::size_t first = 0;  ///< Number of the first changed contour.
 };
 
 drawing::Fault told(const drawing::Drawing& drawn, std::size_t layer, const LayerLines& lines) {

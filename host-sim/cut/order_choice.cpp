@@ -27,7 +27,8 @@ RapidCost cost_of(const OrderWish& wish) {
   return wish.cost == OrderCost::kTime ? RapidCost{wish.limits} : RapidCost{};
 }
 
-/// Returns groups of cuts that have the same turn, in the order of the turns.
+/// Returns the indices of the cuts in groups with the same position in the required order
+/// (CutTurn), in this order.
 std::vector<std::vector<std::size_t>> groups_of(const std::vector<UnbegunCut>& cuts,
                                                 Grouping grouping) {
   const std::vector<CutTurn> turns = turns_of(cuts, grouping);
@@ -39,7 +40,8 @@ std::vector<std::vector<std::size_t>> groups_of(const std::vector<UnbegunCut>& c
   return groups;
 }
 
-/// Orders the cuts of one turn. The cuts of each part stay together if the user requires it.
+/// Orders the cuts of one group, which have the same CutTurn. The cuts of each part stay together
+/// if the user requires it.
 GroupResult order_turn(const std::vector<UnbegunCut>& cuts,
                        const std::vector<std::size_t>& members,
                        const RapidCost& cost,
@@ -93,7 +95,7 @@ double sum_of(const std::vector<OrderedCut>& order, const RapidCost& cost, const
   return sum + cost(ends.to.x() - here.x(), ends.to.y() - here.y());
 }
 
-/// Repeats the search with the refined beginnings added to the lists of beginnings, as long as this
+/// Repeats the search with the refined beginnings added to the lists of beginnings, while this
 /// lowers the cost.
 void search_again(ChosenOrder& chosen,
                   const std::vector<UnbegunCut>& cuts,

@@ -17,7 +17,7 @@ struct PathBeside {
   std::vector<std::vector<Stroke>> loops{};
   /// Open lines in the middle of waste that is narrower than the kerf.
   std::vector<std::vector<Stroke>> middles{};
-  std::optional<drawing::Fault> narrow{};   ///< The warning about these lines.
+  std::optional<drawing::Fault> narrow{};   ///< Warning about the lines of `middles`.
   std::optional<drawing::Fault> failure{};  ///< The reason why there is no path, as a fault.
   /// Whether the path follows edges that the outline shares with other outlines.
   bool shares_edges = false;

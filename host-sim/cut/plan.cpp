@@ -125,7 +125,8 @@ void Planner::name_parts() {
 void Planner::share_common_lines() {
   const auto asks = [](const UnbegunCut& cut) { return cut.settings.common_line_mm > 0.0; };
   if (std::ranges::none_of(work_.unbegun, asks)) return;
-  // The points of the beginnings do not affect the order of the file, so one for each cut suffices.
+  // The order of the file does not depend on the points at which cuts begin. So one beginning for
+  // each cut is sufficient.
   for (UnbegunCut& cut : work_.unbegun) cut.beginnings = {Beginning{}};
   const auto drawn = usual_order(work_.unbegun, wish_, order::OrderMethod::kFile);
   std::vector<std::size_t> ranks(work_.unbegun.size());

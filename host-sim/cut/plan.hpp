@@ -90,7 +90,7 @@ struct OrderFigures {
 struct SharedLineFigures {
   bool is_asked = false;
   std::size_t lines = 0;    ///< Number of lines that are cut once for the parts on both sides.
-  double length_mm = 0.0;   ///< Total length of these lines.
+  double length_mm = 0.0;   ///< Total length of the shared lines.
   double max_off_mm = 0.0;  ///< Greatest difference between the gap of two parts and the kerf.
 };
 

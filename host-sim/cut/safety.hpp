@@ -27,7 +27,7 @@ struct SafetyWishes {
   double cool_distance_mm = 0.0;
   double chain_mm = 0.0;         ///< Greatest length of a link between cuts; 0: no links.
   double slice_mm = 0.0;         ///< Greatest size of the pieces of waste; 0: waste is not divided.
-  double slice_margin_mm = 5.0;  ///< Margin of SliceRules.
+  double slice_margin_mm = 5.0;  ///< Margin of the slices, mm; see SliceRules.
 };
 
 /// Takes the required measures, and records their effects in `safety` of the plan. A rapid that

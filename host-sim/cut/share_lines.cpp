@@ -39,7 +39,7 @@ bool is_reached_from_ends(const std::vector<Stroke>& rest, double half_kerf_mm) 
 /// The stretches of a path that earlier cuts make.
 struct Loss {
   std::vector<SharedStretch> stretches{};
-  std::vector<std::size_t> owners{};  ///< Numbers of these earlier cuts.
+  std::vector<std::size_t> owners{};  ///< Numbers of the earlier cuts that make a stretch.
 };
 
 /// Finds the lines that cuts share, and replaces the lists of cuts by lists with shared lines.

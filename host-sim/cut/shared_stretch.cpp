@@ -78,7 +78,7 @@ std::vector<std::vector<Stroke>> rests_between(const MeasuredRow& path,
   for (std::size_t i = 1; i < stretches.size(); ++i) {
     keep(path.stretch(stretches[i - 1].to_mm, stretches[i].from_mm));
   }
-  // The last rest crosses the end of the path, which is also its start.
+  // The last rest contains the end of the closed path, which is also its start.
   std::vector<Stroke> around = path.stretch(stretches.back().to_mm, path.length());
   const std::vector<Stroke> first = path.stretch(0.0, stretches.front().from_mm);
   around.insert(around.end(), first.begin(), first.end());

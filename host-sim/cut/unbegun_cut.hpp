@@ -27,7 +27,7 @@ struct UnbegunCut {
   /// Own cost of the cut with each listed beginning, minus the least own cost, in the units of
   /// RapidCost. Empty: all have the same own cost.
   std::vector<double> own_cost{};
-  bool may_move = true;  ///< Whether the cut may also begin between these beginnings.
+  bool may_move = true;  ///< Whether the cut may also begin between the listed beginnings.
 
   /// Returns the own cost of the cut with the beginning of the given number.
   [[nodiscard]] double own_cost_of(std::size_t beginning) const {

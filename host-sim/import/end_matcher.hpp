@@ -20,7 +20,7 @@ inline constexpr double kSamePlaceMm = 1.0e-6;
 /// Gaps that are joined, although they are wider than the gap that the user allows.
 struct CertainGaps {
   std::size_t count = 0;
-  Extent widest{};  ///< Width of the widest of these gaps, mm, and its position.
+  Extent widest{};  ///< Width of the widest joined gap, mm, and its position.
 };
 
 /// Pairs ends of chains that are near each other. The pairs with the smallest distances are formed

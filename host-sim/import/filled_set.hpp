@@ -18,7 +18,8 @@ struct FilledSet {
   Extent greatest_small{};      ///< Area of the largest of the small loops, mm², and its position.
   /// Length of edges that are no outlines, because both sides are filled or both are empty.
   double unseen_mm = 0.0;
-  Extent longest_unseen{};  ///< Length of the longest of these edges, mm, and its position.
+  /// Length of the longest edge that is no outline, mm, and its position.
+  Extent longest_unseen{};
   /// Point where more than two edges meet; the middle of an edge if there is no such point.
   Place crossing{0.0, 0.0};
 };

@@ -31,7 +31,8 @@ class FillingNotes {
   std::size_t more_ = 0;  ///< Number of sets that have no note of their own.
   double more_unseen_mm_ = 0.0;
   std::size_t mended_ = 0;  ///< Number of contours that only lost small loops.
-  std::size_t loops_ = 0;   ///< Number of the small loops of all these contours.
+  /// Number of small loops that the contours counted by `mended_` have lost.
+  std::size_t loops_ = 0;
   Extent greatest_{};
   std::optional<Entity> first_{};
 };

@@ -13,7 +13,7 @@ namespace sim::drawing {
 struct WiderGap {
   double gap_mm;
   std::size_t open;     ///< Number of ends that have no other end within the present gap.
-  std::size_t closing;  ///< Number of these ends that have another end within the wider gap.
+  std::size_t closing;  ///< Number of open ends that have another end within the wider gap.
 };
 
 /// Returns the smallest of the gaps 0.02, 0.05, 0.1, 0.2 and 0.5 mm that closes more than half of

@@ -31,7 +31,8 @@ struct JobOutputs {
   std::string vcd;
   std::string svg;
   std::string png;
-  /// File for the positions of the axes at the ends of cells of time; see KnotFile.
+  /// File for the positions of the axes at short intervals of time (cells of the plan); see
+  /// KnotFile.
   std::string knots;
   /// File for the lines that the controller sends, as in the log of a sender.
   std::string answers;

@@ -15,10 +15,11 @@ namespace {
 
 namespace kerf = cnc::kerf;
 
-/// Returns half the width of the interval around the kerf that contains 95 % of single cuts.
+/// Returns half the width, mm, of the interval around the computed kerf that contains the kerfs of
+/// 95 % of single cuts.
 double half_interval(const ThicknessRecord& row, double heat) {
-  // Variance in squares of the residual: 1 for the single cut, and 1 for a measured mean, which may
-  // be that of a single cut.
+  // Variance, in units of residual_sd_mm²: 1 for the scatter of a single cut, plus 1 for the error
+  // of a measured mean, which may come from only one cut.
   double variance = 2.0;
   if (!row.measured) {
     variance = 1.0;

@@ -25,9 +25,10 @@ struct ThicknessRecord {
   double slope = 0.0;     ///< λ1, mm per unit of Q.
   double intercept = 0.0;
   double correlation = 0.0;
-  /// Standard deviation of one cut from the law; if `measured`, from the mean under its condition.
+  /// Standard deviation of the kerf of one cut from the law; if `measured`, from the mean kerf
+  /// under its condition.
   double residual_sd_mm = 0.0;
-  /// Greatest distance of a mean of the cuts under one condition from the law.
+  /// Greatest deviation from the law of the mean kerf under one condition.
   double greatest_residual_mm = 0.0;
   std::size_t samples = 0;  ///< Number of cuts of the fit; 0 if not known.
   std::size_t degrees = 0;  ///< Degrees of freedom of residual_sd_mm; 0 if not known.
@@ -75,8 +76,8 @@ template <typename Real>
 
 struct KerfPrediction {
   double kerf_mm = 0.0;
-  /// Half the width of the interval around the kerf that contains 95 % of single cuts; never below
-  /// the measuring error.
+  /// Half the width of the interval around the kerf that contains the kerfs of 95 % of single cuts;
+  /// at least the measuring error.
   double half_interval_mm = 0.0;
   double heat = 0.0;  ///< Q, in the record's unit.
 };

@@ -10,18 +10,18 @@ namespace sim {
 
 /// Follows a machine along its programmed path, position by position.
 ///
-/// The follower keeps the place: the earliest point of the path at which the machine may be. From
-/// the place, it searches ahead, piece by piece. The search ends where the path is too far away:
-/// farther than the nearest point found up to there plus a few steps plus the path's tolerance. The
-/// tolerance is included because the corner of a rounded hairpin is farther away than the hairpin's
-/// legs by that amount. The place only advances. Therefore, where a path crosses itself or returns
-/// over itself, the follower does not confuse its parts. The work for each position is constant,
-/// unless many pieces are within a few steps.
+/// The follower stores the place: the earliest point of the path at which the machine may be. From
+/// the place, it searches ahead, piece by piece. The search ends where the path is too far from the
+/// machine: the distance exceeds the smallest distance so far by more than a few steps plus the
+/// path's tolerance. The tolerance is included because the corner of a rounded hairpin is farther
+/// from the machine than the hairpin's legs by that amount. The place only advances. Therefore the
+/// follower does not confuse parts of a path that crosses itself or returns over itself. The work
+/// for each position is constant, unless many pieces are within a few steps.
 ///
-/// The place may trail the machine by a step or two. Several points may be nearly as near as the
-/// nearest point. Of these, the follower takes the earliest, because it never examines the path
-/// before the place again. On a curve, the place trails farther, by the possible error of the arcs
-/// that replace the curve.
+/// The place may trail the machine by a step or two. Several points may have nearly the smallest
+/// distance from the machine. The follower takes the earliest of them, because it never examines
+/// the path before the place again. On a curve, the place trails farther, by the possible error of
+/// the arcs that replace the curve.
 class PathFollower {
  public:
   /// Begins at the start of the path, which must outlive the follower.

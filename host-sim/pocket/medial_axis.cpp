@@ -73,8 +73,8 @@ class ChainRefiner {
     return {place, std::max(0.0, area_->depth(place))};
   }
 
-  /// Returns the point near the middle of two points that is equally far from both elements of an
-  /// edge.
+  /// Returns a point near the middle of two points. It has the same distance from both elements of
+  /// an edge.
   [[nodiscard]] WideVec2 middle_place(const AxisPoint& from,
                                       const AxisPoint& to,
                                       const AxisEdge& edge) const {
@@ -94,7 +94,7 @@ class ChainRefiner {
     return (place - middle).norm() <= reach ? place : middle;
   }
 
-  /// Least square of the difference between two unit vectors. Below it, the vectors count as
+  /// Squared length of the difference between two unit vectors below which the vectors count as
   /// parallel.
   static constexpr double kMinSquare = 1.0e-8;
 

@@ -58,7 +58,8 @@ bool lies_on(const Stretch& stretch, double x) {
 
 }  // namespace
 
-/// On the right side, both arcs turn left; on the left side, both arcs turn right.
+/// With and without `leaves_line`, the arc turns left on the right side of the area, and right on
+/// the left side.
 std::optional<WallFillet> fillet_at(
     const TurnSpace& space, const Stretch& line, double y_mm, Side side, bool leaves_line) {
   const double centre_y = leaves_line ? y_mm + space.radius_mm : y_mm - space.radius_mm;

@@ -19,7 +19,7 @@ enum class AnswerKind : std::uint8_t {
   kResend,   ///< Line `number` is to be sent again; `line` is the last line that was taken.
 };
 
-/// A sender's reading of a line from a controller, Grbl or Kerfline.
+/// Content of a line from a controller (Grbl or Kerfline), as a sender interprets it.
 struct Answer {
   AnswerKind kind = AnswerKind::kOther;
   bool checked = false;  ///< The line ended with a correct CRC-32.

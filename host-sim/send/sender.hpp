@@ -44,10 +44,11 @@ class Sender {
   enum class State : std::uint8_t {
     kMeeting,    ///< Waits for the controller's first report or banner.
     kAsking,     ///< Asks the controller for its free space; the controller must be idle.
-    kBeginning,  ///< Begins checked lines.
+    kBeginning,  ///< Switches the controller to checked lines (numbered, with a checksum).
     kSending,
-    kWaiting,   ///< Waits until the machine is at rest.
-    kEnding,    ///< Ends checked lines at rest. From here on, a damaged byte may act as a reset.
+    kWaiting,  ///< Waits until the machine is at rest.
+    /// Switches checked lines off, at rest. From now on, a damaged byte may act as a reset.
+    kEnding,
     kStopping,  ///< Holds, then resets, so that nothing of the job is left to continue.
     kDone,
     kFailed,  ///< trouble() has the reason.
@@ -111,8 +112,9 @@ class Sender {
     bool moves = false;                   ///< The feed is not 0.
     std::optional<std::uint32_t> room{};  ///< Free space for lines, bytes.
     Time at{};                            ///< When the report came.
-    unsigned count = 0;                   ///< Reports since the sender's state began.
-    unsigned idle_count = 0;              ///< The latest of these in a row that show it at rest.
+    unsigned count = 0;                   ///< Number of reports since the sender's state began.
+    /// Number of latest consecutive reports that show the machine at rest.
+    unsigned idle_count = 0;
   };
 
   // Lines from the controller, in sender.cpp.

@@ -9,11 +9,13 @@
 namespace sim {
 namespace {
 
-// Number of bytes that are sorted in one step. The receiver has capacity for them in any state.
+// Maximum number of bytes that the receiver sorts in one step. It has capacity for them in any
+// state.
 constexpr std::size_t kChunk = 64;
 static_assert(kChunk < cnc::Receiver::kRealBytes);
 
-/// Returns whether the position of the realtime byte in the text may matter: 0xA3, `~` and 0x81.
+/// Returns whether `byte` is a realtime byte whose position among the lines may matter: the
+/// acknowledgement of a tool change (0xA3) or one of the two bytes for cycle start (`~` and 0x81).
 bool marks_a_place(char byte) {
   const auto code = static_cast<cnc::RealtimeByte>(byte);
   return code == cnc::RealtimeByte::kToolAcknowledge || code == cnc::RealtimeByte::kCycleStart ||
@@ -21,7 +23,7 @@ bool marks_a_place(char byte) {
 }
 
 /// Returns the length of the next chunk, which ends after the first byte for which marks_a_place()
-/// is true. So the receiver has no text after that byte when it reports it.
+/// is true. So the receiver contains no text after this byte when it reports the byte.
 std::size_t length_of_chunk(std::span<const char> bytes) {
   const std::span<const char> chunk = bytes.first(std::min(bytes.size(), kChunk));
   const auto mark = std::find_if(chunk.begin(), chunk.end(), marks_a_place);

@@ -14,8 +14,8 @@ namespace sim::stock {
 struct WorstPlace {
   double x_mm = 0.0;
   double y_mm = 0.0;
-  /// Distance of the stock perpendicular to the surface; > 0 where stock is left. The distance may
-  /// be up to twice the real one next to a wall.
+  /// Distance of the stock from the surface, perpendicular to the surface; > 0 where stock is left.
+  /// Next to a wall, the value may be up to twice the real distance.
   double off_mm = 0.0;
   /// The part of `off_mm` that is left because the tool does not fit there; 0 for a gouge.
   double unreachable_mm = 0.0;
@@ -26,23 +26,24 @@ struct WorstPlace {
 struct SurfaceFigures {
   std::size_t cells = 0;  ///< Number of compared cells.
   double cell_mm = 0.0;   ///< Longer side of a cell.
-  /// Material that was removed below the surface, measured along Z. The minimum applies to the
-  /// cell's centre; the maximum applies to all points of the cell.
+  /// Bounds of the volume that was removed below the surface. In each cell, the lower bound uses
+  /// the depth that was certainly removed at the centre. The upper bound uses a depth that no point
+  /// of the cell exceeds. Depths are along Z.
   VolumeBounds gouge;
   HeightPeak deepest_gouge;
-  /// Material that is left above the surface, measured along Z. The minimum applies to the cell's
-  /// centre. For the maximum, the surface is assumed to fall from the centre to the cell's rim by
-  /// the same height by which it rises elsewhere in the cell.
+  /// Bounds of the volume that is left above the surface. In each cell, the lower bound uses the
+  /// height that is certainly left at the centre. The upper bound assumes that the surface falls
+  /// within the cell by the same height by which it rises from the centre. Heights are along Z.
   VolumeBounds rest;
   HeightPeak tallest_rest;
-  /// Greatest sure gouges, the deepest first. They are a minimum distance apart.
+  /// Greatest certain gouges, the deepest first. They have a minimum distance from each other.
   std::vector<WorstPlace> worst_gouges;
   std::vector<WorstPlace> worst_rests;  ///< Greatest rests, the tallest first.
 };
 
 /// Distances of a stock from a surface at the centres of cells, perpendicular to the surface. Only
-/// sure gouges count: the distance is 0 where the bounds of a cell allow a gouge but do not prove
-/// it.
+/// certain gouges count: the distance is 0 where the bounds of a cell allow a gouge but do not
+/// prove it.
 struct DeviationMap {
   int columns = 0;
   int rows = 0;

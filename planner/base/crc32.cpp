@@ -32,7 +32,9 @@ constexpr std::array<Remainders, kDigits> make_tables() {
 
 constexpr std::array<Remainders, kDigits> kTables = make_tables();
 
-/// Returns the remainder of digit number `digit` of `value`, which `behind` more digits follow.
+/// Returns the CRC remainder of one digit of `value`.
+/// @param digit number of the digit; 0 is the lowest
+/// @param behind number of digits after this digit in the same step
 constexpr std::uint32_t remainder_of(std::uint32_t value, std::size_t digit, std::size_t behind) {
   return kTables[behind][(value >> (digit * kDigitBits)) % Remainders{}.size()];
 }

@@ -22,9 +22,10 @@ class Crc32 {
   [[nodiscard]] std::uint32_t value() const { return ~state_; }
 
  private:
-  /// Returns the state after its lowest four digits were processed. The remaining digits of the
-  /// state already hold the following data; they move down. The function is a member because the
-  /// linker script places the sections of this class next to the image's start-up code.
+  /// Returns the state after a step, which processes the lowest four digits of `mixed`. The higher
+  /// digits of `mixed`, already combined with the following data, move down by four digits. The
+  /// function is a member because the linker script places the sections of this class next to the
+  /// image's start-up code.
   [[nodiscard]] static std::uint32_t after_step(std::uint32_t mixed);
 
   std::uint32_t state_ = 0xFFFF'FFFF;

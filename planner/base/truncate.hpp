@@ -4,8 +4,8 @@
 
 namespace cnc {
 
-/// Returns the whole part of a float. static_cast gives the same result, but the compiler's own
-/// conversion to 64 bits uses double, which a Cortex-M4 emulates.
+/// Returns the whole part of a float. static_cast gives the same result, but the conversion to 64
+/// bits that the compiler generates uses double, which a Cortex-M4 emulates.
 /// @pre |value| < 2^47.
 [[nodiscard]] inline std::int64_t truncated(float value) {
   constexpr float kChunk = 65'536.0F;

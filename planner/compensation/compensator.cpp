@@ -166,7 +166,8 @@ void Compensator::stand_at(const Position& here) {
 std::optional<Fault> Compensator::leave(const Position& to, bool rapid) {
   beside_ = false;
   if (const auto fault = chain_.leave(driven_, to, rapid)) return fault;
-  // The join is the only raw curve of the last element that may still have to be driven.
+  // The arc around the corner at the end of the path may still have to be driven. It is the join of
+  // the last element.
   given_ = chain_.path().previous(chain_.size());
   free_ = given_ + 1;
   kind_ = static_cast<std::size_t>(Kind::kJoin);

@@ -23,7 +23,8 @@ using Place = std::array<Coordinate, 2>;
 enum class Kind : std::uint8_t { kParallel, kJoin };
 inline constexpr std::size_t kKinds = 2;
 
-/// The driven part of a raw curve. Points are in mm relative to the start of its element.
+/// The part of a raw curve that the tool drives. `live` is false if there is none. Points are in
+/// mm, relative to the start of the element of the raw curve.
 struct Stretch {
   bool live = false;
   bool exists = true;  ///< For a join: whether the corner opens a gap.
@@ -136,9 +137,9 @@ class HeldPath {
   std::size_t size_ = 0;
   std::uint32_t forgotten_ = 0;
   // Numbers of elements, counted from the entry, which is 0.
-  std::uint32_t loop_start_ = 0;  ///< First element of the last outline; 0 if none has closed.
+  std::uint32_t loop_start_ = 0;  ///< First element of the last closed outline; 0 if there is none.
   std::uint32_t loop_end_ = 0;    ///< Last element of the last closed outline.
-  std::uint32_t rapid_ = 0;       ///< Last rapid; 0 if there has been no rapid.
+  std::uint32_t rapid_ = 0;       ///< Number of the last rapid; 0 if there was no rapid.
   float rounding_ = 0.0F;
 };
 

@@ -9,8 +9,9 @@
 
 namespace cnc::compensation {
 
-/// The last elements of a path, and the curve at an offset from them. The curve consists of
-/// consecutive raw curves. If two raw curves do not join, both are cut at their first meeting that
+/// The last elements of a path, and the curve at an offset from them, which the tool drives. The
+/// curve consists of consecutive raw curves: each is the offset of an element, or the arc around
+/// the corner at its end. If two raw curves do not join, both are cut at their first meeting that
 /// is nowhere nearer to an edge than the offset. The raw curves in between are swallowed if they
 /// are within four offsets of that meeting.
 ///
@@ -41,18 +42,20 @@ class OffsetChain {
   [[nodiscard]] Place end() const { return path_.start_of(path_.size()); }
   [[nodiscard]] float distance() const { return distance_; }
 
-  /// Returns the driven part of a raw curve, relative to the start of its element. @pre the raw
-  /// curve is live
+  /// Returns the part of a raw curve that the tool drives, relative to the start of the element
+  /// `index`.
+  /// @param kind the offset of the element, or the arc around the corner at its end
+  /// @pre a part of the raw curve is driven (Stretch::live)
   [[nodiscard]] Curve driven(std::size_t index, Kind kind) const;
   /// Returns a fault if the offset of an element cannot be driven, or if it is too near to a known
   /// edge.
   /// @param last whether no element follows the last known element
   [[nodiscard]] std::optional<Fault> check(std::size_t index, bool last) const;
   /// Returns a fault if the exit, a straight line to the point `to`, would cut into the part. If
-  /// the tool first goes around the corner at the end of the path, the join at that corner becomes
-  /// live.
+  /// the tool first goes around the corner at the end of the path, the arc around that corner
+  /// becomes part of the driven curve.
   /// @pre finished, not empty
-  /// @param here tool position
+  /// @param here position of the tool, from which the exit begins
   /// @param rapid the exit is a rapid, which cuts nothing below its path
   [[nodiscard]] std::optional<Fault> leave(const Position& here, const Position& to, bool rapid);
   /// Declares that the elements before `index` must not change, because they have been given out.
@@ -116,7 +119,7 @@ class OffsetChain {
   bool exit_rounds_ = false;
   /// Fault that check() reports, unless its cause has become part of a lead.
   std::optional<Fault> trouble_{};
-  /// Number of the element from which on the fault holds, counted from the entry, which is 0.
+  /// Number of the element after which check() reports the fault. The entry has number 0.
   std::uint32_t trouble_after_ = 0;
 };
 

@@ -129,8 +129,9 @@ double arc_deviation(const CurveStretch& stretch, const Curve<double>& arc, doub
   const double of_stretch = stretch_deviation(stretch, arc, fine_mm);
   const double greatest = std::max({of_stretch, at_start, at_end});
   const double size = std::abs(arc.curvature);
-  // Here the arc is smaller than its distance from the stretch. No point of the arc is farther from
-  // the arc's ends than the arc's diameter.
+  // Here the radius of the arc is hardly greater than its distance from the stretch, or smaller.
+  // Then the bound is the diameter of the arc plus the deviation at its start, because no point of
+  // the arc is farther from its start than the diameter.
   if (of_stretch * size > kMaxOfRadius) return std::max(greatest, at_start + 2.0 / size);
   return greatest;
 }

@@ -5,11 +5,11 @@
 namespace cnc::contour {
 namespace {
 
-/// Distance between two elements, in elements. If both begin within a quarter of the offset
-/// distance of each other, the elements between them are a crowd.
+/// Number of successive elements that form a crowd, if the distance from the start of the first to
+/// the start of the element after them is less than a quarter of the offset distance.
 constexpr std::uint32_t kCrowd = 8;
-/// Number of corners on each side against which a curve is checked. kNear applies to every curve.
-/// kFar applies to a curve that the nearest corners have already shortened.
+/// Number of corners before and after a raw curve against which it is trimmed: kNear for every raw
+/// curve, kFar if the nearest kNear corners have shortened it.
 constexpr std::uint32_t kNear = 2;
 constexpr std::uint32_t kFar = 64;
 
@@ -20,8 +20,8 @@ bool CrowdTrim<Scalar>::keeps(Curve<Scalar>& raw, std::uint32_t element) const {
   const auto count = static_cast<std::uint32_t>(elements_.size());
   if (!is_crowded(element)) return true;
   bool shortened = false;
-  // The join after the element is an arc about the element's end, exactly at the distance from it.
-  // So this corner is skipped.
+  // The round join after the element is an arc about the end of the element, at exactly the offset
+  // distance. So the corner at this end is skipped.
   std::uint32_t ahead = element + 1 < count ? element + 1 : 0;
   std::uint32_t behind = element + 1;
   for (std::uint32_t i = 0; i < kFar && 2 * i < count; ++i) {

@@ -13,15 +13,16 @@ namespace cnc::contour {
 
 inline constexpr std::uint32_t kNone = 0xFFFFFFFF;
 
-/// Distances in mm below which points or curves count as the same. All of them follow from the
-/// resolution of a number that is as large as the coordinates.
+/// Distances in mm below which points or curves count as the same. They are multiples of the
+/// floating-point resolution at the greatest coordinate.
 template <typename Scalar>
 struct Tolerance {
   Scalar touch{};  ///< Distance below which two points are one point.
-  /// A curve may be nearer to the input than |distance| by this length, if no other curve closes
-  /// the loop.
+  /// Amount by which a curve may be too near to the input, compared with |distance|. Such a curve
+  /// is used only if a loop cannot close without it.
   Scalar shallow{};
-  /// Length of a run below which its middle does not prove that the run is at the distance.
+  /// Length of a run below which the distance of its middle does not prove that the complete run is
+  /// at |distance|.
   Scalar brief{};
 
   [[nodiscard]] static Tolerance for_coordinates_up_to(Scalar most);
@@ -35,8 +36,9 @@ struct RawCurve {
   std::uint32_t end_node = kNone;
 };
 
-/// A point where curves end, join, cross or touch. Nodes that are the same point refer to the node
-/// with the smallest number, which keeps its own point.
+/// A point where curves end, join, cross or touch. Several nodes may be the same point. Then
+/// `same_as` leads to the one of them with the smallest number, and `place` of that node is the
+/// point. See NodeSet.
 template <typename Scalar>
 struct Node {
   BasicVec2<Scalar> place{Scalar{0}, Scalar{0}};
@@ -46,7 +48,7 @@ struct Node {
 /// A division of a raw curve at a node.
 template <typename Scalar>
 struct Cut {
-  Scalar order{};  ///< Position along the raw curve, in the measure of Curve::order_of().
+  Scalar order{};  ///< Position along the raw curve, as Curve::order_of() computes it.
   std::uint32_t raw = kNone;
   std::uint32_t node = kNone;
 };
@@ -65,15 +67,15 @@ struct Piece {
 
 /// Whether a run belongs to the result.
 enum class Standing : std::uint8_t {
-  kKept,  ///< The run is at the distance.
+  kKept,  ///< The run is at |distance| from the input.
   /// The run is too near to the input by less than the tolerance. It is kept if a loop needs it to
   /// close.
   kOptional,
   kDropped,  ///< The run is too near to the input.
 };
 
-/// Consecutive pieces without another piece at the nodes between them. They are kept or dropped
-/// together.
+/// Consecutive pieces. No other piece begins or ends at the nodes between them. They are kept or
+/// dropped together.
 struct Run {
   std::uint32_t first_piece = kNone;
   std::uint32_t start_node = kNone;

@@ -10,7 +10,7 @@
 namespace cnc::gcode {
 
 /// The modal groups of RS274/NGC table 4, and LinuxCNC's M group 5 for outputs. A line has at most
-/// one word of each group. Each comment gives the type of ModalWord::meaning.
+/// one word of each group. Each comment gives the group number, and the type of ModalWord::meaning.
 enum class ModalGroup : std::uint8_t {
   kNonModal,          ///< G group 0, NonModal
   kMotion,            ///< G group 1, MotionMode
@@ -25,10 +25,10 @@ enum class ModalGroup : std::uint8_t {
   kPathControl,       ///< G group 13, PathMode
   kStop,              ///< M group 4, Stop
   kOutput,            ///< M group 5, Output
-  kToolChange,        ///< M group 6, M6 only: no meaning
+  kToolChange,        ///< M group 6, only M6: always 0
   kSpindle,           ///< M group 7, SpindleMode
   kCoolant,           ///< M group 8, CoolantWord
-  kMaterial,          ///< M190 only: no meaning
+  kMaterial,          ///< No standard group, only M190: always 0
 };
 
 inline constexpr std::size_t kModalGroupCount = 17;

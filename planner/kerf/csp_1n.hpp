@@ -36,7 +36,7 @@ inline constexpr std::array<Band, 16> kBands{{
     band(1800, 3, 5),  // 2.0 mm
 }};
 
-// The check raises a false alarm on constexpr templates.
+// clang-tidy reports a false positive for constexpr templates.
 // NOLINTBEGIN(bugprone-dynamic-static-initializers)
 
 /// Rows of Table 3.
@@ -50,15 +50,16 @@ inline constexpr std::array<Row<Real>, 4> kRows{{
 
 }  // namespace csp_1n
 
-/// The table with Q in the unit that the paper prints. It gives 0.56 mm for the paper's worked
-/// example. Its widths hardly depend on the speed.
+/// Kerf table in which the heat input Q, the power divided by the speed, is in W/(mm/min), as
+/// printed by Park and Ahn 2007. It gives 0.56 mm for their worked example. Its widths hardly
+/// depend on the speed.
 template <typename Real>
 inline constexpr TableView<Real> kCsp1n{
     "CSP 1N", HeatUnit::kWattMinutesPerMillimetre, csp_1n::kRows<Real>, csp_1n::kBands, {}};
 
-/// The same numbers, but with Q in J/mm. This table agrees with the paper's figures and
-/// correlations, but gives 0.72 mm for the worked example. A test cut shows which of the two tables
-/// a machine follows.
+/// Kerf table with the same numbers, but with the heat input Q in J/mm. It agrees with the figures
+/// and correlations of Park and Ahn 2007, but gives 0.72 mm for their worked example. A test cut
+/// shows which of the two tables is right for a machine.
 template <typename Real>
 inline constexpr TableView<Real> kCsp1nPhysical{
     "CSP 1N J/mm", HeatUnit::kJoulesPerMillimetre, csp_1n::kRows<Real>, csp_1n::kBands, {}};

@@ -9,16 +9,17 @@ namespace cnc::order {
 struct ExactSizes {
   std::size_t sets;
   std::size_t candidates;
-  /// Number of states: pairs of a collection of visited sets and the last set.
+  /// Number of states. A state consists of a collection of visited sets, and the set visited last.
   std::size_t states;
-  std::size_t values;  ///< Number of costs: one for each candidate of the last set of each state.
+  std::size_t values;  ///< Number of costs. A state has a cost for each candidate of its last set.
 };
 
-/// Storage of an Exact.
+/// Working storage of an Exact.
 struct ExactSpace {
   struct State {
     SetMask visited;
-    std::size_t values;  ///< Index of the first cost of the last set's candidates.
+    /// Index of the state's first cost. There is a cost for each candidate of `last`.
+    std::size_t values;
     Index last;
   };
 

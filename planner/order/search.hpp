@@ -122,8 +122,8 @@ class Search {
   static constexpr Index kReach = 2;
   /// Greatest number of sets for which all candidates are chosen again.
   static constexpr Index kFewSets = 64;
-  // Each constant N stands for a chance of one in N. kAgainOneIn is the chance of a further
-  // disturbance. The other two are the chance of a turned stretch instead of a double bridge, with
+  // Each constant N gives a probability of 1/N. kAgainOneIn: of a further disturbance. The other
+  // two: that a disturbance reverses a stretch of the tour instead of making a double bridge, with
   // few sets and with many sets.
   static constexpr Index kAgainOneIn = 4;
   static constexpr Index kTurnOneInOfFew = 4;

@@ -21,7 +21,7 @@ struct LoopNote {
 
 enum class SplitResult : std::uint8_t {
   kDone,
-  kFull,     ///< The notes or the list are full.
+  kFull,     ///< The capacity of the notes or of the list is exhausted.
   kNoOwner,  ///< A hole is in no outline, because the loops cross each other.
 };
 
@@ -30,8 +30,8 @@ inline constexpr double kMinHoleWidth = 1.0e-9;  ///< mm.
 
 /// Splits loops into connected areas and appends them to `out`. Omits a loop that encloses less
 /// than `kMinArea`. Also omits a hole whose mean width is less than `kMinHoleWidth`. Such a hole is
-/// rounding: it occurs in the offset of a channel that is narrower than the tool by a last digit.
-/// It may be in no outline.
+/// an effect of rounding errors: it occurs in the offset of a channel that is hardly narrower than
+/// the tool. It may be outside all outlines.
 ///
 /// Guarantee: a hole belongs to the smallest outline around it. Time: proportional to the number of
 /// elements if there is one outline; number of loops times number of elements if there are several

@@ -198,7 +198,8 @@ class CanLine final : public CanPort {
     frame.remote = (identifier & bxcan::kRemote) != 0;
     frame.id = frame.extended ? identifier >> 3 : identifier >> 21;
     const Word length = Bus::read(place + 4) & 0xFU;
-    frame.length = static_cast<std::uint8_t>(length < 8 ? length : 8);  // The codes 9 to 15 mean 8.
+    // A length code of 9 to 15 means 8 bytes.
+    frame.length = static_cast<std::uint8_t>(length < 8 ? length : 8);
     const std::array<Word, 2> words{Bus::read(place + 8), Bus::read(place + 12)};
     for (std::size_t at = 0; at < frame.length && !frame.remote; ++at) {
       frame.data[at] = static_cast<std::byte>(words[at / 4] >> (8 * (at % 4)) & 0xFFU);

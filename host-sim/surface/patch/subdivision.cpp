@@ -69,8 +69,9 @@ double diameter(const BezierPatch& patch) {
   return box.diagonal().norm();
 }
 
-/// Finds a division into few flat pieces, by dynamic programming over the rectangles that result
-/// from halvings. A count stops when it exceeds the number of pieces of another split.
+/// Finds a division of a patch into few flat pieces by repeated halving, with dynamic programming
+/// over the rectangles. The count of the pieces of a split stops when it exceeds the count of
+/// another split.
 class FewestPieces {
  public:
   FewestPieces(const GridPatch& patch, const FlatnessLimit& limit) : patch_{patch}, limit_{limit} {}

@@ -143,9 +143,10 @@ class CurveFollower {
     return above >= -error && leaves_little(jet.place, to_low);
   }
 
-  /// Returns whether a point on the low side is near enough to the line. It is if a tool at the
-  /// point leaves at most the error of the material that a tool on the line would remove. The
-  /// height is not sufficient, because a flat bottom is at the level at any distance from a wall.
+  /// Returns whether a point on the low side is near enough to the line: of the material that a
+  /// tool on the line would remove, a tool at the point leaves at most a layer of the permitted
+  /// error. The height is not sufficient, because a flat bottom is at the level at any distance
+  /// from a wall.
   [[nodiscard]] bool leaves_little(const Vector2d& place, const Vector2d& to_low) const {
     constexpr double kReach = 32.0;
     const double error = 0.5 * density_.error_mm;

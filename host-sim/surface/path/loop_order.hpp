@@ -32,7 +32,8 @@ class LoopOrder {
   [[nodiscard]] std::vector<std::size_t> highest_left();
 
   const std::vector<LevelLoop>* loops_;
-  std::vector<std::vector<std::size_t>> lower_;  ///< Loops that wait for a loop, for each loop.
+  /// For each loop, the loops that must be milled after it.
+  std::vector<std::vector<std::size_t>> lower_;
   /// Number of loops that must be milled before a loop, for each loop.
   std::vector<std::size_t> waits_for_;
   std::vector<bool> is_taken_;

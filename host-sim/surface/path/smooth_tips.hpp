@@ -10,12 +10,13 @@
 namespace sim::surface {
 
 /// A smooth surface that a path follows instead of the heights of a tool's tip. It consists of
-/// bicubic patches in the middle of a band above these heights (paper 4). Noise of the points of up
-/// to half of the band is not milled.
+/// bicubic patches in the middle of a band above these heights (paper 4). Noise of the points is
+/// not milled if it is at most half of the height of the band.
 ///
 /// Where the patches are outside the band, for example between points at a wall, the path follows
-/// the border of the band. The path thus cuts no deeper than without patches. It is at most a band
-/// higher, in space.
+/// the border of the band. The path thus cuts no deeper than without patches. The distance of its
+/// points, measured in space, from tip positions at which the tool has contact is at most the
+/// height of the band.
 class SmoothTips {
  public:
   struct Hint {

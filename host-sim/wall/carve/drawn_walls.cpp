@@ -14,7 +14,8 @@ namespace {
 using Eigen::Vector3d;
 
 constexpr double kRadian = std::numbers::pi / 180.0;
-constexpr double kSteepestSine = 0.7072;  ///< Sine of the greatest angle of a wall, 45 degrees.
+/// Sine of the greatest angle between a wall and the vertical, 45 degrees.
+constexpr double kSteepestSine = 0.7072;
 
 /// Extent of all facets in one plane, and data of the largest of these facets.
 struct PlaneFacets {

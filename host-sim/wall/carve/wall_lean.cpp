@@ -13,8 +13,8 @@ using Eigen::Vector2d;
 
 constexpr double kInDegrees = 180.0 / std::numbers::pi;
 
-/// Distance beyond the reach, in cells. Within it, the middle of at least one column is outside the
-/// drawn wall.
+/// Distance, in cells, beyond the limit of the search outwards. Columns up to this distance are
+/// included, so that the middle of at least one column is outside the drawn wall.
 constexpr double kSightCells = 1.0;
 
 /// A column near a section, and its distance from the wall.
@@ -60,7 +60,8 @@ std::vector<NearColumn> columns_near(const Columns& columns, const WallPlace& pl
   return near;
 }
 
-/// Section of a carved wall, derived from columns.
+/// Section of a carved wall, derived from columns. Distances are outwards from the wall's point
+/// `at`, mm.
 struct Section {
   std::vector<SectionPoint> points;
   double last_free = std::numeric_limits<double>::infinity();
@@ -134,21 +135,24 @@ WallLean fitted(const std::vector<SectionPoint>& points, double cell_mm) {
     const double error = point.out - mean.out - slope * (point.z - mean.z);
     off += error * error;
   }
-  // Two points have no deviation from their line. Half a cell is used as their standard deviation.
+  // Two points have no deviation from the line through them, so half a cell is used as their
+  // standard deviation.
   const double rest = points.size() > 2 ? off / (count - 2.0) : 0.25 * cell_mm * cell_mm;
   const double deviation = std::sqrt(rest / square);
   return {std::atan(-slope) * kInDegrees, 2.0 * std::atan(deviation) * kInDegrees, points.size()};
 }
 
-/// Returns the mean lean of all lines that pass between two columns and, if the section has a
-/// point, through this point.
+/// Returns the mean lean of all lines that pass between two columns of the section: the column at
+/// `last_free`, which has no material in the upper half of the wall, and the column at
+/// `first_full`, which is full there. If the section has a point, only lines through its first
+/// point count.
 std::optional<WallLean> between_columns(const Section& section, const WallPlace& place) {
   const double height = place.high_mm - place.low_mm;
   const double gap = section.last_free - section.first_full;
   if (!std::isfinite(gap)) return {};
   double most = std::atan(gap / height) * kInDegrees;
   if (section.points.empty()) return WallLean{0.0, most, 0};
-  // The line through the point is at most so inclined that it stays between the two columns.
+  // Greatest inclination at which a line through the point stays between the two columns.
   const SectionPoint& point = section.points.front();
   const double up = (point.out - section.first_full) / (place.high_mm - point.z);
   const double down = (section.last_free - point.out) / (point.z - place.low_mm);

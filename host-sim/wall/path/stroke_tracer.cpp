@@ -66,7 +66,7 @@ bool StrokeTracer::is_clear_between(const Sample& from, const Sample& to) const 
   RotaryWords begin = first_words_of(rules_.axes, from.beam->axis);
   if (begin.tilt == 0.0) begin.turn = first_words_of(rules_.axes, to.beam->axis).turn;
   const RotaryWords end = words_of(rules_.axes, to.beam->axis, begin);
-  // If the beam hardly turns, a check half way is enough.
+  // If the beam hardly rotates, a check at the middle of the path is sufficient.
   constexpr double kStill = 0.01;
   const bool is_still = angle_between(from.beam->axis, to.beam->axis) <= kStill;
   return std::ranges::all_of(std::array{0.5, 0.25, 0.75}, [&](double share) {
@@ -195,8 +195,8 @@ std::vector<BeamRun> StrokeTracer::runs_of(const Stroke& stroke, double height_m
   return runs_between(samples, joints, stroke.use);
 }
 
-/// Divides samples into runs. A run has at least two beams. A single tip between runs is lost, too,
-/// unless it is in the gap next to a run.
+/// Divides samples into runs. A run has at least two beams. A single tip between two runs is also
+/// lost, unless its distance from a run is at most kGapMm.
 std::vector<BeamRun> StrokeTracer::runs_between(const Samples& samples,
                                                 const Flags& joints,
                                                 StrokeUse use) {

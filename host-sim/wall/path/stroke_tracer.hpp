@@ -11,15 +11,15 @@
 
 namespace sim::wall {
 
-/// Successive poses with the beam on from the first to the last, and the tips out of reach before
-/// the first pose.
+/// Successive poses of the beam. The beam is on from the first to the last. Also the tips before
+/// the first pose that are lost, because they are out of reach.
 struct BeamRun {
   StrokeUse use = StrokeUse::kHatch;
   std::vector<Eigen::Vector3d> lost;
   std::vector<TipBeam> beams;  ///< Poses of the beam; at least two, or none.
 };
 
-/// Limits for the turn of the beam's axis along a stroke.
+/// Limits for the rotation of the beam's axis along a stroke.
 struct TurnRules {
   RotaryAxes axes = RotaryAxes::kAC;
   double step_mm = 0.0;  ///< Maximum distance between tips next to a wall, above 0.
@@ -33,11 +33,11 @@ struct TurnRules {
 
 /// Finds a beam for each tip of a stroke, so that the axis turns no faster than the rules allow.
 ///
-/// Tips are at the ends of all sides of the stroke, and between the ends as densely as the turn of
-/// the axis requires. If the axis of least tilt turns too fast at a point, the axes before and
-/// after this point lean more, as long as their beams clear the part. If walls leave no space for
-/// this, the axis turns faster. If the axis jumps, the run ends, and the axis turns with the beam
-/// off. The next run begins within twice kGapMm.
+/// Tips are at the ends of all sides of the stroke. Between the ends, their spacing is as small as
+/// the rotation of the axis requires. If the axis of least tilt turns too fast at a point, the axes
+/// before and after this point lean more, as long as their beams clear the part. If walls leave no
+/// space for this, the axis turns faster. If the axis jumps, the run ends, and the axis turns with
+/// the beam off. The next run begins within twice kGapMm.
 class StrokeTracer {
  public:
   /// Maximum distance between neighbouring tips at which a run ends and the next run begins, mm.
@@ -45,7 +45,8 @@ class StrokeTracer {
 
   StrokeTracer(const BeamFinder& finder, const TurnRules& rules) : finder_{finder}, rules_{rules} {}
 
-  /// Returns the runs of a stroke at a height. The last run may have lost tips but no beams.
+  /// Returns the runs of a stroke whose tips are at `height_mm`. If the stroke ends with tips out
+  /// of reach, the last run contains only these tips, and no beams.
   [[nodiscard]] std::vector<BeamRun> runs_of(const Stroke& stroke, double height_mm) const;
 
  private:

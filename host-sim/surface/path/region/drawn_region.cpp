@@ -34,7 +34,8 @@ void add_parts_in(const pocket::OwnedArea& area,
                   SliceParts& parts) {
   const Curve line = line_of(slice, whole.first, whole.second);
   std::vector<double> crossings{whole.first, whole.second};
-  // A line also touches the boundary if its distance is so small that it counts as inside.
+  // Points up to kOneCrossingMm outside the area count as inside. So the line is also divided where
+  // it passes an element at such a small distance without an intersection.
   area->search(widened(line.box()), [&](const Curve& curve) {
     const auto found = cnc::contour::meetings_of(curve, line, 2.0 * kOneCrossingMm);
     for (std::uint32_t i = 0; i < found.count; ++i) {

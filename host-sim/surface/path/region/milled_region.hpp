@@ -9,12 +9,12 @@
 
 namespace sim::surface {
 
-/// Parts of a slice, each as start and end along the slice, mm. The parts are in order and do not
-/// touch.
+/// Parts of a slice. Each is given by the positions of its start and end along the slice, mm. The
+/// parts are in order and do not touch.
 using SliceParts = std::vector<std::pair<double, double>>;
 
-/// A region of the plan to which milling is limited. Several threads may call the const functions
-/// at the same time.
+/// A region in plan (in XY) to which milling is limited. Several threads may call the const
+/// functions at the same time.
 class MilledRegion {
  public:
   MilledRegion(const MilledRegion&) = delete;

@@ -20,7 +20,8 @@ constexpr double kSteepestSearch = 6.0;
 /// because of rounding.
 constexpr double kAlmostRim = 1.0 - 1.0e-9;
 
-/// Returns the grown tool that leaves the allowance everywhere, also if the tool is a cone.
+/// Returns the tool, grown so that it leaves at least the allowance everywhere, even if the tool is
+/// a cone.
 cnc::surface::GrownTool leaving(const Profile& tool, double allowance_mm) {
   if (allowance_mm == 0.0) return {.profile = tool};
   const double band = cnc::surface::grown(tool, allowance_mm).band_mm;
@@ -32,9 +33,10 @@ Vector2d direction_of(int index, int count) {
   return {std::cos(angle), std::sin(angle)};
 }
 
-/// Returns the height, above the tool's tip, of the lower surface of the reduced tool, which is
-/// smaller by `depth_mm` on all sides. It is the highest point within `depth_mm` of the tool's
-/// lower surface.
+/// Returns the height of the lower surface of the reduced tool above the tool's tip, at
+/// `distance_mm` from the axis. The reduced tool is smaller than the tool by `depth_mm` on all
+/// sides. At each distance from the axis, its surface is the highest point whose distance from the
+/// tool's lower surface is at most `depth_mm`.
 double inner_height(const Profile& tool, double distance_mm, double depth_mm) {
   constexpr int kSteps = 32;
   double height = 0.0;
@@ -52,8 +54,8 @@ constexpr double kRasterShare = 1.0 / 32.0;
 /// Number of steps in the table of clearances.
 constexpr int kClearances = 256;
 
-/// Returns the distance, relative to the reach, of an index of the table. Towards the end, the
-/// steps become shorter by a quadratic law.
+/// Returns the distance that belongs to an index of the table, as a share of the reach. The steps
+/// decrease linearly to 0 towards the end.
 double share_at(int index) {
   const double rest = 1.0 - static_cast<double>(index) / kClearances;
   return 1.0 - rest * rest;
@@ -103,8 +105,8 @@ RestRegion::RestRegion(const Mesh& mesh, const Profile& tool, const RestOptions&
   }
 }
 
-/// Checks the points of the tool at `place`. The first checked point is `memory`, at which the last
-/// call found stock.
+/// Returns whether the tool at `place` reaches rest stock. Checks the points of the reduced tool,
+/// first the point `memory`, at which the last call found stock.
 bool RestRegion::holds(const Vector2d& place, std::size_t& memory) const {
   const std::optional<Vector2d> rise = heights_.rise(place);
   if (!rise) return false;
@@ -191,7 +193,7 @@ bool RestRegion::is_taken_by_search(const Vector3d& point) const {
   double least = excess(point, best);
   double step = 0.5 * raster_.pitch_mm();
   for (int halving = 0; halving < kHalvings && least > 0.0; step *= 0.5, ++halving) {
-    // A step on a surface of up to 80 degrees cannot reduce the excess by more.
+    // On a surface of up to 80 degrees, a step cannot reduce the excess by more than this.
     if (least > kSteepestSearch * step) return false;
     const Vector2d middle = best;
     for (int i = 0; i < kDirections && least > 0.0; ++i) {
