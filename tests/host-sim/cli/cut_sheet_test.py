@@ -109,7 +109,7 @@ class Sheets(unittest.TestCase):
     def test_parts_that_wait_for_what_cannot_be_are_told(self):
         a, b, c = ({"drawing": "parts/key.svg", "name": name, "x_mm": 60 * i} for i, name in enumerate("abc"))
         told = self.refused(a | {"after": ["c"]}, b, c | {"after": ["b", "a"]})
-        self.assertIn('/parts/0/after: parts wait for each other in a circle: "a" after "c" after "a"; take', told)
+        self.assertIn('/parts/0/after: parts wait for each other in a circle: "a" after "c" after "a"; remove', told)
         self.assertIn('"a" after "a"', self.refused(a | {"after": ["a"]}, b))
         self.assertIn('/parts/1/after: no part is called "d"', self.refused(a, b | {"after": ["d"]}))
         self.assertIn('contains a value that is no name', self.refused(a | {"after": [3]}, b))
