@@ -181,7 +181,7 @@ ChordRows chords_of(const cnc::pocket::AreaDistance& area, double sagitta_mm) {
   const WideVec2 place = area.element(crossed->element).start;
   throw std::runtime_error{fmt::format(
       "at {:.3f} {:.3f}: the element that begins here crosses or touches another element; "
-      "take them apart",
+      "separate them",
       place.x(),
       place.y())};
 }

@@ -32,7 +32,7 @@ bool is_full(const ClearingError& error) {
       throw std::invalid_argument{
           "radius, stepover or corner radius of the passes is out of range"};
     case ClearingFault::kLoopsCross:
-      refuse(begin, "its contours cross each other", "take them apart");
+      refuse(begin, "its contours cross each other", "separate them");
     default:
       refuse(begin,
              "it has no offset",

@@ -236,7 +236,7 @@ class Operations(unittest.TestCase):
         self.assertRegex(told, r"leaves the bed of K40, CO2 laser of 40 W, 300 x 200 mm, origin at the back left of "
                                r"the bed, by 5\d\.\d{3} mm at its back")
         self.assertIn("no program is written", told)
-        self.assertIn("there are diode-20w, diode-5w, k40, router, sheet-cutter",
+        self.assertIn("choose diode-20w, diode-5w, k40, router, sheet-cutter",
                       self.refused(self.plain, *GIVEN, "--machine", "k50"))
         for name in ("diode-5w", "diode-20w", "router", "sheet-cutter"):
             self.cut(self.plain, *GIVEN, "--machine", name, "--place", "centre")

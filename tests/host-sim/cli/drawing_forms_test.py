@@ -106,7 +106,7 @@ class DrawingForms(unittest.TestCase):
         for wrong in ("ell", "0", "-1", "nan"):
             done = self.run_on("drawing", "plan.dxf", dxf_of(circle), "--drawing-unit", wrong)
             self.assertEqual(done.returncode, 2)
-            self.assertIn("it takes mm, inch, cm", done.stderr)
+            self.assertIn("choose mm, inch, cm", done.stderr)
 
     def test_a_project_of_lightburn_is_cut_but_its_letters(self):
         done = self.run_on("cut", "job.lbrn2", PROJECT, *STEEL)

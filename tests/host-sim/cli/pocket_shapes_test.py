@@ -104,7 +104,7 @@ class PocketShapes(PocketTest):
                     done = self.pocket(svg(room, island), "--tool", 3, "--depth", 2, *MILL, "--strategy", strategy)
                     self.assertEqual(done.returncode, 1, done.stdout)
                     self.assertIn(f"at {place}", done.stderr)
-                    self.assertIn("take them apart", done.stderr)
+                    self.assertIn("separate them", done.stderr)
                     self.assertFalse(self.program.exists())
         # A deeper pocket may share walls with the pocket around it.
         done = self.pocket(svg(room, '<rect x="10" y="10" width="20" height="40" stroke="red"/>'), "--tool", 6,

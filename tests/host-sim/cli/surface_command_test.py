@@ -259,7 +259,7 @@ class SurfaceCommand(unittest.TestCase):
                 (("--tool", "ball", *MILL), self.scan, "`ball` is no number"),
                 (("--tool", "egg:4", *MILL), self.scan, "must be a diameter in mm and flat, ball"),
                 ((*good, "--safe", 0), self.scan, "is not above the path and the surface"),
-                ((*good, "--tolerance", 0.0001), self.scan, "take more --decimals"),
+                ((*good, "--tolerance", 0.0001), self.scan, "increase --decimals"),
                 ((*good, "--tolerance", 0), self.scan, "--tolerance"),
                 ((*good, "--step", 0), self.scan, "--step"),
                 ((*good, "--scallop", 0.015), self.scan, "less than 2 times the --tolerance"),
