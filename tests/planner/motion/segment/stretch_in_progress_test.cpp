@@ -5,9 +5,10 @@
 namespace cnc::motion {
 namespace {
 
-/// 1000 units in a millisecond, at a constant speed.
+/// Two micrometres in a millisecond, at a constant speed.
+constexpr auto kWay = static_cast<PathUnits>(0.002F * kUnitsPerMm);
 constexpr Stretch kEven{
-    .way = 1000, .duration_ns = 1'000'000, .start_speed = 2.0F, .end_speed = 2.0F};
+    .way = kWay, .duration_ns = 1'000'000, .start_speed = 2.0F, .end_speed = 2.0F};
 
 TEST(StretchInProgress, IsOverBeforeTheFirstBegins) {
   const StretchInProgress none;
@@ -19,16 +20,16 @@ TEST(StretchInProgress, IsOverWhenItsTimeAndItsWayAre) {
   stretch.begin(kEven, 50);
   EXPECT_FALSE(stretch.is_over(50));
   stretch.pass_until(1'000'000);
-  EXPECT_FALSE(stretch.is_over(1049));
-  EXPECT_TRUE(stretch.is_over(1050));
+  EXPECT_FALSE(stretch.is_over(49 + kWay));
+  EXPECT_TRUE(stretch.is_over(50 + kWay));
 }
 
 TEST(StretchInProgress, CountsPlacesFromTheFrontBlock) {
   StretchInProgress stretch;
   stretch.begin(kEven, 50);
-  EXPECT_EQ(stretch.place_after(1'000'000), 1050);
+  EXPECT_EQ(stretch.place_after(1'000'000), 50 + kWay);
   stretch.leave_block(400);
-  EXPECT_EQ(stretch.place_after(1'000'000), 650);
+  EXPECT_EQ(stretch.place_after(1'000'000), kWay - 350);
 }
 
 TEST(StretchInProgress, KnowsTheTimeThatIsLeftAndTheTimeOfAWay) {
@@ -36,10 +37,10 @@ TEST(StretchInProgress, KnowsTheTimeThatIsLeftAndTheTimeOfAWay) {
   stretch.begin(kEven, 0);
   stretch.pass_until(250'000);
   EXPECT_EQ(stretch.left_ns(), 750'000U);
-  EXPECT_NEAR(static_cast<double>(stretch.time_after(500)), 750'000.0, 1.0);
-  stretch.end_at(700);
+  EXPECT_NEAR(static_cast<double>(stretch.time_after(kWay / 2)), 750'000.0, 2.0);
+  stretch.end_at(kWay / 2);
   EXPECT_EQ(stretch.left_ns(), 0U);
-  EXPECT_TRUE(stretch.is_over(700));
+  EXPECT_TRUE(stretch.is_over(kWay / 2));
 }
 
 }  // namespace
