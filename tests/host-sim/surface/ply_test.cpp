@@ -135,7 +135,7 @@ TEST(PlyReader, BadHeadersAreRefusedWithTheirLine) {
             "f:2: `fromat` is not a word of a PLY header; export the mesh again");
   EXPECT_THAT(refusal_of("ply\nformat utf8 1.0\n"), StartsWith("f:2: `utf8` is not a format"));
   EXPECT_THAT(refusal_of("ply\nelement vertex -1\n"), StartsWith("f:2: `-1` is not a number"));
-  EXPECT_THAT(refusal_of("ply\nproperty float x\n"), StartsWith("f:2: a property before"));
+  EXPECT_THAT(refusal_of("ply\nproperty float x\n"), StartsWith("f:2: has a property before"));
   EXPECT_THAT(refusal_of("ply\nelement a 1\nproperty half x\n"), StartsWith("f:3: `half` is no"));
   EXPECT_THAT(refusal_of("ply\nelement a 1\nproperty list float int x\n"),
               StartsWith("f:3: the length of a list"));
