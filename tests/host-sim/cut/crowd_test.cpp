@@ -70,7 +70,7 @@ TEST(Crowd, PartsThatTouchAtACornerShareOnePathAndHoldTogether) {
   EXPECT_THAT(plan.faults, IsEmpty());
   EXPECT_EQ(plan.cuts.size(), 1U);
   ASSERT_FALSE(plan.warnings.empty());
-  EXPECT_THAT(plan.warnings[0].reason, HasSubstr("holds together"));
+  EXPECT_THAT(plan.warnings[0].reason, HasSubstr("hold together"));
   EXPECT_NEAR(plan.warnings[0].place_mm->x(), 30.0, 1.0);
   EXPECT_NEAR(plan.warnings[0].place_mm->y(), 70.0, 1.0);
 }
@@ -116,7 +116,7 @@ TEST(Crowd, EveryPathIsClearAndEveryEdgeIsCutOrNamed) {
     const CutPlan plan = plan_of(drawn);
     if (!plan.faults.empty()) continue;
     for (const drawing::Fault& warning : plan.warnings) {
-      shared += warning.reason.find("holds together") != std::string::npos ? 1U : 0U;
+      shared += warning.reason.find("hold together") != std::string::npos ? 1U : 0U;
     }
     const std::vector<Place> edges = places_of_edges(drawn);
     const std::vector<Place> cuts = places_of_cuts(plan);

@@ -33,7 +33,7 @@ TEST(DrawingUnit, AnUnusualSizeIsQuestionedWithTheLikelyUnit) {
   EXPECT_FALSE(small.has_errors());
   EXPECT_THAT(to_string(small.faults[0], "f"),
               AllOf(HasSubstr("2.5 by 2.5 mm, which is unusually small"),
-                    HasSubstr("if its unit is inch, it is 63.5 by 63.5 mm"),
+                    HasSubstr("if its unit is inch, its size is 63.5 by 63.5 mm"),
                     HasSubstr("--drawing-unit inch")));
   EXPECT_THAT(read(dxf_circle(2.0e4)).faults.at(0).remedy, HasSubstr("--drawing-unit mil"));
   EXPECT_THAT(read(dxf_circle(1.0e-9)).faults, testing::Not(IsEmpty()));

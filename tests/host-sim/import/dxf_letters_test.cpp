@@ -212,7 +212,7 @@ TEST(DxfLetters, WrongOnesAreFaultsAndEmptyOnesNotes) {
   EXPECT_FALSE(empty.has_errors());
   EXPECT_THAT(notes_of_dxf(empty), HasSubstr("MTEXT has no letters"));
   EXPECT_THAT(notes_of_dxf(dxf_lettered(text_of("A", "210\n1\n220\n0\n230\n0\n"))),
-              HasSubstr("tilted"));
+              HasSubstr("its plane is upright"));
 }
 
 TEST(DxfLetters, SkippedOnesAreNotesWithTheWayToDrawThem) {

@@ -146,7 +146,8 @@ TEST(DxfReader, WhatIsBrokenIsNamedWithItsLine) {
   EXPECT_THAT(fault_of(dxf_of("0\nCIRCLE\n40\n-1\n")), HasSubstr("radius"));
   EXPECT_THAT(fault_of(dxf_of("0\nELLIPSE\n11\n5\n40\n0\n")), HasSubstr("axes"));
   EXPECT_THAT(fault_of(dxf_of("0\nSPLINE\n71\n3\n10\n0\n20\n0\n")), HasSubstr("make no spline"));
-  EXPECT_THAT(fault_of(dxf_of("0\nCIRCLE\n40\n1\n210\n1\n230\n0\n")), HasSubstr("tilted"));
+  EXPECT_THAT(fault_of(dxf_of("0\nCIRCLE\n40\n1\n210\n1\n230\n0\n")),
+              HasSubstr("its plane is upright"));
   EXPECT_THAT(fault_of(dxf_of("0\nINSERT\n2\nX\n")), HasSubstr("no block `X`"));
   EXPECT_THAT(fault_of(dxf_of("0\nMTEXT\n1\nK\n")), HasSubstr("left out: \"K\""));
   EXPECT_THAT(fault_of(dxf_of("0\nHATCH\n")), HasSubstr("HATCH is nothing to cut"));

@@ -202,7 +202,8 @@ TEST(Post, NamesLineReasonAndRemedyOfABadFile) {
   EXPECT_THAT(refusal_of("[header]\n\xc3\xa9\n"), HasSubstr("my.post:2: a character"));
   EXPECT_THAT(refusal_of("[format]\nline-numbers = 10 10 5\n"), HasSubstr("greater than"));
   EXPECT_THAT(refusal_of("[format]\nline-numbers = 1 2 3 4\n"), HasSubstr("first number, step"));
-  EXPECT_THAT(refusal_of("[format]\narc-planes = G16\n"), HasSubstr("takes G17, G18, G19"));
+  EXPECT_THAT(refusal_of("[format]\narc-planes = G16\n"),
+              HasSubstr("must be one of G17, G18, G19"));
   EXPECT_EQ(refusal_of("[format]\n[words]\n[header]\n[footer]\n"), "none");
 }
 

@@ -62,7 +62,7 @@ TEST(SheetFile, EveryFaultNamesItsPlaceReasonAndRemedy) {
   EXPECT_THAT(one(R"("places": [])"), ElementsAre(HasSubstr("/parts/0/places: is empty")));
   EXPECT_THAT(one(R"("places": [7])"), ElementsAre(HasSubstr("/parts/0/places/0: is no place")));
   EXPECT_THAT(one(R"("places": [{"x": 7}])"),
-              ElementsAre(HasSubstr("/parts/0/places/0/x: no such")));
+              ElementsAre(HasSubstr("/parts/0/places/0/x: there is no such")));
   EXPECT_THAT(one(R"("places": [{}], "x_mm": 1)"),
               ElementsAre(HasSubstr("is used together with \"places\"")));
   EXPECT_THAT(one(R"("copies": 2)"), ElementsAre(HasSubstr("/parts/0/step_x_mm: copies in a row")));
