@@ -79,7 +79,8 @@ TEST(ShopRules, WhatIsWrongIsToldByItsColumn) {
   EXPECT_THAT(refused_rule("area < 3: feed=0%"), HasSubstr("feed=0%: must be 0.1 to 1000 %"));
   EXPECT_THAT(refused_rule("area < 3: skip, feed=3"),
               HasSubstr("column 15: requires nothing after"));
-  EXPECT_THAT(refused_rule("area < 3: mark feed=3"), HasSubstr("column 11: mark feed: no such"));
+  EXPECT_THAT(refused_rule("area < 3: mark feed=3"),
+              HasSubstr("column 11: mark feed: there is no such"));
   EXPECT_THAT(refused_rule("open diameter < 3: skip"), HasSubstr("open contours have no diameter"));
   EXPECT_THAT(refused_rule(""), HasSubstr("column 1: requires hole"));
   EXPECT_THAT(refused_rule(": skip"), HasSubstr("column 1: requires hole"));
