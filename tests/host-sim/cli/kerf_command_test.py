@@ -257,7 +257,7 @@ class KerfCommand(unittest.TestCase):
         self.addCleanup(connection.close)
         for laser, options, words in (("mine", ("--laser", "mine"), None),
                                       ("mine", ("--laser", "other"), "is of the laser `mine`, not of `other`"),
-                                      ("mine", (), "was measured with the laser `mine`; if this machine has it, name it"),
+                                      ("mine", (), "was measured with the laser `mine`; if this machine has it,"),
                                       ("", ("--laser", "mine"), "measured with a laser that has no name"),
                                       ("", (), "measured with a laser that has no name")):
             with self.subTest(laser=laser, options=options):

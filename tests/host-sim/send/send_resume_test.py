@@ -109,7 +109,7 @@ class SendResumeTest(SendBench):
         self.assertIn("G0X76.200000", said)
         self.assertIn("G20G90G94", said)
         self.check_x(server, 6 * 25.4)
-        for words, why in ((["G91 G0 X1", "X1"], "where X is there depends"),
+        for words, why in ((["G91 G0 X1", "X1"], "the position of X at that line depends"),
                            (["G92 X3", "G1 X1 F100"], "G92 is in use"),
                            (["G99", "G1 X1 F100"], "line 1: ")):
             status, _, err = self.send(self.program_file(words), *where, "--from-line", 2,
@@ -117,7 +117,7 @@ class SendResumeTest(SendBench):
             self.assertEqual(status, 2)
             self.assertIn(why, err)
         status, _, err = self.send(job, *where, "--from-line", 10)
-        self.assertIn("has no line 10", err)
+        self.assertIn("line 10 does not exist", err)
         status, _, err = self.send(job, *where, "--resume")
         self.assertEqual(status, 2)
         self.assertIn("knows of no job that was interrupted", err)

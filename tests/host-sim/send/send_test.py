@@ -246,7 +246,7 @@ class SendTest(SendBench):
         status, _, err = self.send(job, "--tcp", f"127.0.0.1:{relay.port}", "--checked")
         self.assertEqual(status, 1)
         self.assertIn("nothing was sent", err)
-        self.assertIn("of $130; ", err)
+        self.assertIn("to $130 differ", err)
         self.check_x(server, 0.0)
 
     def test_knows_a_controller_without_checked_lines(self):
