@@ -65,8 +65,8 @@ class Clearing {
   ClearingSpace<Scalar> space_;
   PassList<Scalar>& passes_;
   Scalar cleared_;  ///< Distance on each side of a pass that is assumed to be cleared, mm.
-  /// Greatest distance by which the remaining area is moved inwards, mm. It is negative if passes
-  /// overlap so much that the next pass is outside the remaining area.
+  /// Greatest distance by which the remaining area is moved inwards, mm. It is negative if the next
+  /// pass is outside the remaining area, because passes overlap widely.
   Scalar max_;
 };
 

@@ -73,7 +73,7 @@ TEST_F(ProgressTest, OutlivesPowerOnceTheMachineStands) {
   EXPECT_EQ(again.machine().progress().noted(), machine.progress().noted());
   EXPECT_EQ(again.machine().progress().noted().line.number, 12U);
   EXPECT_FALSE(again.machine().progress().can_reenter(again.machine().homed()))
-      << "nobody knows where the motors are";
+      << "the position of the motors is unknown";
   stream("~");
   run_until_idle();
   send_all({"N14 M30"});

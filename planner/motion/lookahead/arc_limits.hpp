@@ -24,8 +24,8 @@ class ArcLimits {
   /// Returns the angle of the arc, in radians, over which the time window reaches to either side of
   /// a position; 0 without a window.
   [[nodiscard]] float reach() const { return reach_; }
-  /// Checks whether the time window covers so many directions of travel that the limits are
-  /// computed for all of them together.
+  /// Returns whether the limits are computed for all directions of travel within the time window
+  /// together, because the window reaches farther than kFarReach.
   [[nodiscard]] bool many_directions() const { return reach_ > kFarReach; }
   /// Returns the division of the acceleration within the plane between turning and the change of
   /// speed.

@@ -135,7 +135,7 @@ TEST(ShareLines, FreeAllPartsAndCutNoneAndNoLineTwice) {
   EXPECT_GT(lines, 0U);
 }
 
-/// Of two squares, three sides of the second one remain, without leads.
+/// Two squares share a side: three sides of the second square remain, without leads.
 TEST(ShareLines, LeaveAnOpenCutOfTheLaterPart) {
   const auto drawn = drawing_of({{10.0, 10.0, 20.0, 20.0}, {30.0 + kTestKerf, 10.0, 20.0, 20.0}});
   const CutPlan plan = plan_of(drawn, sharing());

@@ -46,8 +46,8 @@ constexpr double kNoiseMm = 0.01;
 constexpr double kSlopeDigit = 0.5e-4;
 constexpr double kInterceptDigit = 0.5e-3;
 
-/// In J/mm, there are so many samples that four standard errors of both coefficients are less than
-/// half a printed digit. A correct fit then rounds to Table 3 in all but a few of 10,000 runs.
+/// The number of samples in J/mm makes four standard errors of both coefficients less than half a
+/// printed digit. A correct fit then rounds to Table 3 in all but a few of 10,000 runs.
 TEST(Regression, ReturnsTable3FromNoisySamplesInJoulesPerMillimetre) {
   constexpr std::size_t kSamples = 400'000;
   const MaterialRecord record = csp(kerf::HeatUnit::kJoulesPerMillimetre);

@@ -77,8 +77,8 @@ TEST(HiddenLines, AreLeftOutBehindASurfaceAndStayOnIt) {
   EXPECT_EQ(path({4.0, 4.0, 0.0}, {6.0, 6.0, 0.0}), "");
   EXPECT_THAT(path({4.0, 4.0, 3.0}, {6.0, 6.0, 3.0}), HasSubstr("L"));
   EXPECT_THAT(path({1.0, 1.0, 2.0}, {9.0, 9.0, 2.0}), HasSubstr("L"));
-  // Of a line through the surface, only the part above it is visible: one part of about half its
-  // length.
+  // Only the part of a line above the surface is visible: one part of about half
+  // its length.
   const std::string through = path({5.0, 5.0, 0.0}, {5.0, 5.0, 4.0});
   EXPECT_EQ(through.find('M'), 0U);
   EXPECT_EQ(through.rfind('M'), 0U);

@@ -85,7 +85,7 @@ TEST(PatchCubic, NoneOrTwoOfADoubleRoot) {
     const Parameters found = sign_changes(cubic_of_roots(1.0, twice, twice, once));
     ASSERT_TRUE(found.count == 0 || found.count == 2) << "KERFLINE_SEED=" << seed;
     for (std::size_t i = 0; i < found.count; ++i) {
-      // Of a double root, half the digits remain.
+      // A double root has half the digits.
       EXPECT_NEAR(found.values[i], twice, 1.0e-7) << "KERFLINE_SEED=" << seed;
     }
   }

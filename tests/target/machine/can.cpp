@@ -205,8 +205,8 @@ void Can::receive(const CanFrame& frame) {
 void Can::count_error(std::uint32_t code, bool sending) {
   const std::uint32_t before = error_flags();
   last_error_ = code;
-  // A passive node whose frames nobody acknowledges stops counting. Otherwise a node that is alone
-  // would go bus-off.
+  // A passive node whose frames no other node acknowledges stops counting. Otherwise a node that
+  // is alone would go bus-off.
   const bool counts = code != kAcknowledgeError || transmit_errors_ <= 127;
   if (sending && counts) transmit_errors_ += 8;
   if (!sending && receive_errors_ < 255) ++receive_errors_;

@@ -185,7 +185,7 @@ TEST_F(BlockQueueTest, NeverGetsSlowerByMoreBlocks) {
   }
 }
 
-// Of many blocks, the last one remains for the next plan, unless no further block comes.
+// The last of many blocks remains for the next plan, unless no further block comes.
 TEST_F(BlockQueueTest, PlansTheLastBlockWhenNothingComes) {
   for (int k = 0; k < 40; ++k) queue.push(straight_block(0.1, limits));
   queue.plan(limits, {.overrides = overrides});
