@@ -57,13 +57,13 @@ inline std::size_t describe(const Fitness& fitness, std::span<char> into) {
   switch (*fitness.fault) {
     case Unfitness::kDamaged:
       text.text(
-          "the image in the flash is damaged or incomplete. Flash it again, after $DFU or by "
-          "the board's loader");
+          "the image in the flash is damaged or incomplete. Flash it again, after $DFU or by the "
+          "board's loader");
       break;
     case Unfitness::kUnknownChip:
       text.text(
-          "the chip does not tell its flash size as an F405, F407 or F429 does. Use a board "
-          "with one of them");
+          "the chip does not tell its flash size as an F405, F407 or F429 does. Use a board with "
+          "one of them");
       break;
     case Unfitness::kSmallChip:
       text.text("the chip has ")

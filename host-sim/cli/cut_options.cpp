@@ -131,6 +131,41 @@ void add_material_options(CLI::App& command, CutCommandOptions& options) {
       ->type_name("NAME");
 }
 
+void add_file(
+    CLI::App& command, FileRole role, const char* name, std::string& file, const char* help) {
+  mark_file(command.add_option(name, file, help)->type_name("FILE"), role);
+}
+
+void add_layer_options(CLI::App& command, CutCommandOptions& options) {
+  command
+      .add_option("--layer",
+                  options.layers,
+                  "Values for a layer that differ from the others, as below; may be repeated")
+      ->type_name("TEXT")
+      ->allow_extra_args(false);
+  add_file(command,
+           FileRole::kInput,
+           "--layers",
+           options.layers_file,
+           "File of --layer texts, one to a line");
+}
+
+void add_settings_options(CLI::App& command, CutCommandOptions& options) {
+  command.add_option("--decimals", options.decimals, "Decimals of positions in mm")
+      ->check(in_whole_range(cnc::gcode::PrintGrid::kFewest, cnc::gcode::PrintGrid::kMax))
+      ->capture_default_str();
+  add_file(command,
+           FileRole::kInput,
+           "--settings",
+           options.settings_file,
+           "File of the machine's settings, `$N=value` on each line");
+  command
+      .add_option(
+          "--set", options.set, "One setting of the machine, such as '$110=12000'; may be repeated")
+      ->type_name("$N=V")
+      ->allow_extra_args(false);
+}
+
 }  // namespace
 
 void add_cut_options(CLI::App& command, const std::shared_ptr<CutCommandOptions>& options) {
@@ -147,23 +182,12 @@ void add_cut_options(CLI::App& command, const std::shared_ptr<CutCommandOptions>
   add_cut_place_options(command, options->place);
   add_common_options(command, options);
   add_cut_order_options(command, options->order);
-  command
-      .add_option("--layer",
-                  options->layers,
-                  "Values for a layer that differ from the others, as below; may be repeated")
-      ->type_name("TEXT")
-      ->allow_extra_args(false);
-  const auto add_file = [&](FileRole role, const char* name, std::string& file, const char* help) {
-    mark_file(command.add_option(name, file, help)->type_name("FILE"), role);
-  };
-  add_file(
-      FileRole::kInput, "--layers", options->layers_file, "File of --layer texts, one to a line");
+  add_layer_options(command, *options);
   command
       .add_option("--full-power",
                   options->full_power_w,
                   "Power of the laser at the greatest S ($30), W; default: as in the machine's "
-                  "profile or the "
-                  "record")
+                  "profile or the record")
       ->check(in_range(0.001, from_thousandths(cnc::kerf::kMaxPowerMw), "W"))
       ->type_name("W");
   command
@@ -187,27 +211,17 @@ void add_cut_options(CLI::App& command, const std::shared_ptr<CutCommandOptions>
                    options->check,
                    "Run the program in the simulator and measure the error of the cut parts");
   options->post.add_to(command);
-  command.add_option("--decimals", options->decimals, "Decimals of positions in mm")
-      ->check(in_whole_range(cnc::gcode::PrintGrid::kFewest, cnc::gcode::PrintGrid::kMax))
-      ->capture_default_str();
-  add_file(FileRole::kInput,
-           "--settings",
-           options->settings_file,
-           "File of the machine's settings, `$N=value` on each line");
-  command
-      .add_option("--set",
-                  options->set,
-                  "One setting of the machine, such as '$110=12000'; may be repeated")
-      ->type_name("$N=V")
-      ->allow_extra_args(false);
+  add_settings_options(command, *options);
   add_cut_sheet_options(command, options->sheet);
   add_cut_rule_options(command, options->shop);
   add_cut_frame_options(command, options->frame);
-  add_file(FileRole::kOutput,
+  add_file(command,
+           FileRole::kOutput,
            "-o,--output",
            options->outputs.program,
            "File of the program; default: standard output");
-  add_file(FileRole::kOutput, "--report", options->outputs.report, "Write the report as JSON");
+  add_file(
+      command, FileRole::kOutput, "--report", options->outputs.report, "Write the report as JSON");
   add_cut_output_options(command, options->outputs);
 }
 

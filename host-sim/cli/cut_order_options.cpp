@@ -52,12 +52,11 @@ cnc::Settings settings_with(const std::vector<SettingChange>& changes) {
   cnc::Settings settings;
   for (const SettingChange& change : changes) {
     if (settings.set(change.number, change.value).ok()) continue;
-    throw std::invalid_argument(
-        fmt::format("{}: ${}={:g} is no such setting, or out of its range; `kerfline manual` lists "
-                    "them",
-                    change.place,
-                    change.number,
-                    change.value));
+    throw std::invalid_argument(fmt::format(
+        "{}: ${}={:g} is no such setting, or out of its range; `kerfline manual` lists them",
+        change.place,
+        change.number,
+        change.value));
   }
   return settings;
 }

@@ -59,12 +59,12 @@ std::vector<drawing::Fault> picture_faults(const drawing::Drawing& drawn,
   for (const drawing::DrawnContour& contour : drawn.contours) {
     const std::size_t layer = contour.entity.layer;
     if (!is_burnt(layer) || !told.insert(layer).second) continue;
-    faults.push_back({FaultKind::kBadEntity,
-                      contour.entity,
-                      start_of(contour.shapes.front()),
-                      "its layer has kind=image, which burns pictures only",
-                      "give its colour a kind of its own; `image: kind=image` names pictures "
-                      "alone"});
+    faults.push_back(
+        {FaultKind::kBadEntity,
+         contour.entity,
+         start_of(contour.shapes.front()),
+         "its layer has kind=image, which burns pictures only",
+         "give its colour a kind of its own; `image: kind=image` names pictures alone"});
   }
   for (const drawing::Fault& fault : drawn.faults) {
     if (fault.kind == FaultKind::kBadPicture && is_burnt(fault.entity.layer)) {

@@ -208,9 +208,10 @@ engrave::BurnRaster raster_of(const EngraveOptions& options, const picture::Grey
   double width = 0.0;
   double height = 0.0;
   if (options.width_mm || options.height_mm) {
-    if (options.image_dpi)
+    if (options.image_dpi) {
       throw std::invalid_argument(
           "--image-dpi: the size is given by --width or --height already; leave one out");
+    }
     width = options.width_mm.value_or(options.height_mm.value_or(0.0) * across / down);
     height = options.height_mm.value_or(width * down / across);
   } else if (options.image_dpi) {

@@ -79,11 +79,11 @@ void fit(const FitCommandOptions& options) {
 }
 
 void add_fit_command(CLI::App& kerf, ExitStatus&) {
-  CLI::App* command = kerf.add_subcommand(
-      "fit",
-      "Fit kerf = l1 Q + l2 per thickness to the accepted cuts of a material, with its "
-      "permissible\n"
-      "region. It replaces the record with the same name and unit.");
+  CLI::App* command =
+      kerf.add_subcommand("fit",
+                          "Fit kerf = l1 Q + l2 per thickness to the accepted cuts of a material, "
+                          "with its permissible\n"
+                          "region. It replaces the record with the same name and unit.");
   command->footer(
       "Example:\n"
       "  kerfline kerf fit --db my.db --material acrylic --unit J/mm");

@@ -55,10 +55,9 @@ void plot(const PlotOptions& options) {
   const KnowledgeBase base = options.record.open();
   const MaterialRecord record = base.record_of(options.record.material, options.record.heat_unit());
   if (!record.has_kerf()) {
-    throw std::invalid_argument(
-        fmt::format("{}: no kerf is known, so that nothing can be drawn; `kerfline kerf show` has "
-                    "its settings",
-                    record.name));
+    throw std::invalid_argument(fmt::format(
+        "{}: no kerf is known, so that nothing can be drawn; `kerfline kerf show` has its settings",
+        record.name));
   }
   const std::vector<Experiment> cuts = base.cuts_of(options.record.material);
   const std::string figure =
@@ -176,6 +175,41 @@ void take_measurements(const CalibrateOptions& options) {
   }
 }
 
+void add_coupon_options(CLI::App& command, CalibrateOptions& options) {
+  CouponPlan& plan = options.plan;
+  command.add_option("--thickness", options.thickness_mm, "Thickness of the material, mm")
+      ->check(thickness_range());
+  command
+      .add_option("--powers",
+                  options.powers_w,
+                  "Powers of the slots, W, such as 30,45,60; default: those of the record")
+      ->delimiter(',')
+      ->check(power_range());
+  command
+      .add_option("--speeds",
+                  options.speeds_mm_min,
+                  "Speeds of the slots, mm/min, such as 400,600,800; default: those of the record")
+      ->delimiter(',')
+      ->check(speed_range());
+  command.add_option("--full-power", plan.full_power_w, "Power of the laser at --full-s, W")
+      ->check(in_range(0.001, from_thousandths(cnc::kerf::kMaxPowerMw), "W"));
+  command.add_option("--full-s", plan.full_power_s, "S word of full power, the machine's $30")
+      ->check(in_range(1.0, 1.0e6, ""))
+      ->capture_default_str();
+  command.add_option("--laser",
+                     plan.laser,
+                     "Name of the laser in the form, and for cuts whose form does not name one");
+  options.person.add_to(command);
+  command.add_option("--gas", plan.gas_pressure_mpa, "Pressure of the gas in the form, MPa")
+      ->check(in_range(0.0, 10.0, "MPa"));
+  command.add_option("--length", plan.length_mm, "Length of a slot, mm")
+      ->check(in_range(10.0, 1000.0, "mm"))
+      ->capture_default_str();
+  command.add_option("--pitch", plan.pitch_mm, "Distance between slots, mm")
+      ->check(in_range(1.0, 100.0, "mm"))
+      ->capture_default_str();
+}
+
 void add_calibrate_command(CLI::App& kerf) {
   CLI::App* command = kerf.add_subcommand(
       "calibrate",
@@ -193,38 +227,7 @@ void add_calibrate_command(CLI::App& kerf) {
       "line of a slot that was not measured may stay empty, too.");
   const auto options = std::make_shared<CalibrateOptions>();
   options->record.add_to(*command);
-  CouponPlan& plan = options->plan;
-  command->add_option("--thickness", options->thickness_mm, "Thickness of the material, mm")
-      ->check(thickness_range());
-  command
-      ->add_option("--powers",
-                   options->powers_w,
-                   "Powers of the slots, W, such as 30,45,60; default: those of the record")
-      ->delimiter(',')
-      ->check(power_range());
-  command
-      ->add_option("--speeds",
-                   options->speeds_mm_min,
-                   "Speeds of the slots, mm/min, such as 400,600,800; default: those of the record")
-      ->delimiter(',')
-      ->check(speed_range());
-  command->add_option("--full-power", plan.full_power_w, "Power of the laser at --full-s, W")
-      ->check(in_range(0.001, from_thousandths(cnc::kerf::kMaxPowerMw), "W"));
-  command->add_option("--full-s", plan.full_power_s, "S word of full power, the machine's $30")
-      ->check(in_range(1.0, 1.0e6, ""))
-      ->capture_default_str();
-  command->add_option("--laser",
-                      plan.laser,
-                      "Name of the laser in the form, and for cuts whose form does not name one");
-  options->person.add_to(*command);
-  command->add_option("--gas", plan.gas_pressure_mpa, "Pressure of the gas in the form, MPa")
-      ->check(in_range(0.0, 10.0, "MPa"));
-  command->add_option("--length", plan.length_mm, "Length of a slot, mm")
-      ->check(in_range(10.0, 1000.0, "mm"))
-      ->capture_default_str();
-  command->add_option("--pitch", plan.pitch_mm, "Distance between slots, mm")
-      ->check(in_range(1.0, 100.0, "mm"))
-      ->capture_default_str();
+  add_coupon_options(*command, *options);
   const auto add_file = [&](FileRole role, const char* name, std::string& file, const char* help) {
     mark_file(command->add_option(name, file, help)->type_name("FILE"), role);
   };

@@ -230,6 +230,25 @@ void take_form(const TestGridOptions& options) {
                   text_of(found.operations.front().origin));
 }
 
+void add_slot_options(CLI::App& command, TestGridOptions& options) {
+  command
+      .add_option(
+          "--slots", options.grid.slots_mm, "Widths of the slots' paths, mm; default: 5,10,15")
+      ->delimiter(',')
+      ->expected(1, 10)
+      ->check(in_range(1.0, 100.0, "mm"));
+  command
+      .add_option("--slot-power",
+                  options.slot_power,
+                  "Power of the slots, percent; default: the greatest of --power")
+      ->check(in_range(kMinGridPercent, kFullPercent, "percent"));
+  command
+      .add_option("--slot-feed",
+                  options.slot_feed,
+                  "Feed of the slots, mm/min; default: the least of --feed")
+      ->check(in_range(1.0, kGreatestGridFeed, "mm/min"));
+}
+
 void add_grid_options(CLI::App& command, TestGridOptions& options) {
   TestGrid& grid = options.grid;
   command.add_option("--material", grid.material, "Name of the material in the form")
@@ -271,20 +290,7 @@ void add_grid_options(CLI::App& command, TestGridOptions& options) {
   command.add_option("--label-feed", grid.labels.feed_mm_min, "Feed of the numbers, mm/min")
       ->check(in_range(1.0, kGreatestGridFeed, "mm/min"))
       ->capture_default_str();
-  command.add_option("--slots", grid.slots_mm, "Widths of the slots' paths, mm; default: 5,10,15")
-      ->delimiter(',')
-      ->expected(1, 10)
-      ->check(in_range(1.0, 100.0, "mm"));
-  command
-      .add_option("--slot-power",
-                  options.slot_power,
-                  "Power of the slots, percent; default: the greatest of --power")
-      ->check(in_range(kMinGridPercent, kFullPercent, "percent"));
-  command
-      .add_option("--slot-feed",
-                  options.slot_feed,
-                  "Feed of the slots, mm/min; default: the least of --feed")
-      ->check(in_range(1.0, kGreatestGridFeed, "mm/min"));
+  add_slot_options(command, options);
   command.add_flag("--constant-power",
                    options.constant_power,
                    "Use M3 instead of M4: power does not follow the speed");

@@ -44,12 +44,11 @@ std::string profile_file(const std::string& name) {
   if (std::ranges::find(names, name) != names.end()) {
     return (shipped_folder() / (name + ".json")).string();
   }
-  throw std::invalid_argument(
-      fmt::format("--machine {}: no such profile is shipped; choose {}, or name a file, such as "
-                  "mine.json{}",
-                  name,
-                  fmt::join(names, ", "),
-                  did_you_mean(name, names)));
+  throw std::invalid_argument(fmt::format(
+      "--machine {}: no such profile is shipped; choose {}, or name a file, such as mine.json{}",
+      name,
+      fmt::join(names, ", "),
+      did_you_mean(name, names)));
 }
 
 }  // namespace

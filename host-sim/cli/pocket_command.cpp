@@ -237,8 +237,7 @@ void refuse_contacts(const std::vector<Terraces>& pockets) {
       const auto place = pocket::contact_between_loops(terrace.contours.view());
       if (!place) continue;
       throw pocket::NoPocketPath{fmt::format(
-          "at {:.3f} {:.3f} two contours touch or cross; separate them, or draw them as "
-          "one",
+          "at {:.3f} {:.3f} two contours touch or cross; separate them, or draw them as one",
           place->x(),
           place->y())};
     }

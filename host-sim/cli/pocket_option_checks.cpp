@@ -39,12 +39,11 @@ LayerDepth parse_layer_depth(const std::string& text) {
     names.insert(names.end(), {layer.name, layer.colour});
     known += fmt::format(" \"{}\" {};", layer.name, layer.colour);
   }
-  throw std::invalid_argument{
-      fmt::format("--depth-of: the drawing has no closed contour of layer or colour \"{}\"; it "
-                  "has{}{}",
-                  depth.layer,
-                  known,
-                  did_you_mean(depth.layer, names))};
+  throw std::invalid_argument{fmt::format(
+      "--depth-of: the drawing has no closed contour of layer or colour \"{}\"; it has{}{}",
+      depth.layer,
+      known,
+      did_you_mean(depth.layer, names))};
 }
 
 /// Options that V carving does not use.
@@ -115,11 +114,10 @@ void check_sizes(const PocketCommandOptions& options) {
                     widest_mm)};
   }
   if (options.stepover_mm > options.tool_mm) {
-    throw std::invalid_argument{
-        fmt::format("--stepover {:g}: passes farther apart than the tool's {:g} mm leave stock "
-                    "between them",
-                    options.stepover_mm,
-                    options.tool_mm)};
+    throw std::invalid_argument{fmt::format(
+        "--stepover {:g}: passes farther apart than the tool's {:g} mm leave stock between them",
+        options.stepover_mm,
+        options.tool_mm)};
   }
 }
 

@@ -112,11 +112,10 @@ Eigen::Vector3d zero_of(const ProbeGridOptions& options, const ProbeLog& log) {
   if (const auto zero = options.work_zero()) return *zero;
   const std::string name = name_of_input(options.read);
   if (log.changed_line > 0) {
-    throw std::invalid_argument(
-        fmt::format("{}:{}: the work offset changes among the answers; give the valid one with "
-                    "--offset",
-                    name,
-                    log.changed_line));
+    throw std::invalid_argument(fmt::format(
+        "{}:{}: the work offset changes among the answers; give the valid one with --offset",
+        name,
+        log.changed_line));
   }
   if (log.offset) return *log.offset;
   terminal::print(stderr,

@@ -81,10 +81,10 @@ void add_options(CLI::App& command, SendCommandOptions& options) {
   command.add_flag(
       "--checked", options.send.checked, "Number and check every line, and repeat damaged lines");
   command
-      .add_option("--window",
-                  options.send.window,
-                  "Greatest number of sent bytes without an answer; default: as the controller "
-                  "announces")
+      .add_option(
+          "--window",
+          options.send.window,
+          "Greatest number of sent bytes without an answer; default: as the controller announces")
       ->check(in_whole_range(16, 65'536, "bytes"))
       ->type_name("BYTES");
   command.add_flag("--accept-faults",

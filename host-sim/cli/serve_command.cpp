@@ -75,10 +75,10 @@ void add_ways_in(CLI::App& command, ServeOptions& options) {
                 ->type_name("LINK"),
             FileRole::kKept);
   command
-      .add_option("--tcp",
-                  options.tcp,
-                  "Port for raw TCP, from this machine only unless an address is given; 0 is any "
-                  "free port")
+      .add_option(
+          "--tcp",
+          options.tcp,
+          "Port for raw TCP, from this machine only unless an address is given; 0 is any free port")
       ->check(port_address())
       ->type_name("[ADDRESS:]PORT");
   command
@@ -104,11 +104,10 @@ void add_ways_in(CLI::App& command, ServeOptions& options) {
           ->type_name("LINK"),
       FileRole::kKept);
   command
-      .add_option(
-          "--node",
-          options.node,
-          "Node number of the controller on the CAN bus; default: setting $859, which is 17 unless "
-          "changed")
+      .add_option("--node",
+                  options.node,
+                  "Node number of the controller on the CAN bus; default: setting $859, which is "
+                  "17 unless changed")
       ->check(in_whole_range(1, kLastNode))
       ->type_name("N");
 }

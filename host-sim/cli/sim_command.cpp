@@ -155,8 +155,8 @@ void add_sim_command(CLI::App& app, ExitStatus& status) {
       "  kerfline sim part.nc --settings laser.settings --svg part.svg\n"
       "  kerfline sim part.nc --set '$110=6000' --report part.json --trace part.csv\n"
       "  kerfline sim *.nc --settings laser.settings --png 'pictures/{}.png'\n"
-      "  kerfline sim pocket.nc --set '$32=0' --stock 0,0,120,80,0,-20 --tool 6 "
-      "--stock-png left.png\n"
+      "  kerfline sim pocket.nc --set '$32=0' --stock 0,0,120,80,0,-20 --tool 6 --stock-png "
+      "left.png\n"
       "\n"
       "Exit status: 0 fine, 1 the program has faults or stopped in an alarm, 2 the call is wrong.");
   const auto options = std::make_shared<SimOptions>();
@@ -179,10 +179,10 @@ void add_sim_command(CLI::App& app, ExitStatus& status) {
   add_output("--svg", options->outputs.svg, "Draw the cut path as SVG");
   add_output("--png", options->outputs.png, "Draw the cut path as PNG");
   command
-      ->add_option("--kerf",
-                   options->outputs.kerf_width_mm,
-                   "Width of the cut in the picture, mm; default: 0.1 for a laser, a thin line for "
-                   "a mill")
+      ->add_option(
+          "--kerf",
+          options->outputs.kerf_width_mm,
+          "Width of the cut in the picture, mm; default: 0.1 for a laser, a thin line for a mill")
       ->check(in_range(0.0, 100.0, "mm"))
       ->type_name("WIDTH");
   add_stock_options(*command, options->stock);

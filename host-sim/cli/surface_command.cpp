@@ -207,16 +207,16 @@ void write_path(const SurfaceCommandOptions& options,
     ramp_slope = std::tan(options.levels.ramp_deg * std::numbers::pi / 180.0);
   const std::string program = options.post.applied_to(
       program_of(path, mill, grid, heading_of(options, figures, inputs), ramp_slope));
-  terminal::print(options.output.empty() ? stderr : stdout,
-                  "{}: {} arcs, {} lines, {:.1f} mm of rows and {:.1f} mm of links, Z {:.3f} to "
-                  "{:.3f}\n",
-                  options.file,
-                  figures.arcs,
-                  figures.lines,
-                  figures.row_mm,
-                  figures.link_mm,
-                  figures.lowest_mm,
-                  figures.highest_mm);
+  terminal::print(
+      options.output.empty() ? stderr : stdout,
+      "{}: {} arcs, {} lines, {:.1f} mm of rows and {:.1f} mm of links, Z {:.3f} to {:.3f}\n",
+      options.file,
+      figures.arcs,
+      figures.lines,
+      figures.row_mm,
+      figures.link_mm,
+      figures.lowest_mm,
+      figures.highest_mm);
   if (options.output.empty()) {
     terminal::write_data(program);
   } else {

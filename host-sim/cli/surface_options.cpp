@@ -139,8 +139,8 @@ void add_row_options(CLI::App& command, SurfaceCommandOptions& options) {
           "--tool",
           options.tool,
           "Diameter in mm and kind of the tool, flat by default; for a bull nose its corner "
-          "radius; for a V\nits angle in degrees and the diameter of its tip. The kind may "
-          "come first: ball:4")
+          "radius; for a V\nits angle in degrees and the diameter of its tip. The kind may come "
+          "first: ball:4")
       ->type_name(kCutterForm);
   command
       .add_option("--tolerance",
@@ -308,15 +308,13 @@ void add_surface_options(CLI::App& command, SurfaceCommandOptions& options) {
   add_output("--report", options.report, "Write elements, rows and lengths as JSON");
   add_output(
       "--mesh", options.mesh, "Write the triangles of the milled surface as PLY with doubles");
-  mark_file(
-      command
-          .add_option(
-              "--at",
-              options.query.points,
-              "File of positions, `X Y` in mm on each line: write the heights of the tip there "
-              "in place of\na program")
-          ->type_name("FILE"),
-      FileRole::kInput);
+  mark_file(command
+                .add_option("--at",
+                            options.query.points,
+                            "File of positions, `X Y` in mm on each line: write the heights of the "
+                            "tip there in place of\na program")
+                ->type_name("FILE"),
+            FileRole::kInput);
   add_output(
       "--heights", options.query.heights, "File of `X Y Z` for --at; default: standard output");
 }

@@ -154,10 +154,10 @@ std::shared_ptr<const surface::MilledRegion> rest_of(const RegionOptions& option
                     2.0 * rows.tool.radius_mm)};
   }
   if (rest.larger_allowance_mm - rest.allowance_mm >= rest.depth_mm) {
-    throw std::invalid_argument{fmt::format(
-        "--rest-allowance: {:g} mm of stock are a rest everywhere; leave out --rest-of, or take a "
-        "--rest-depth above it",
-        rest.larger_allowance_mm)};
+    throw std::invalid_argument{
+        fmt::format("--rest-allowance: {:g} mm of stock are a rest everywhere; leave out "
+                    "--rest-of, or take a --rest-depth above it",
+                    rest.larger_allowance_mm)};
   }
   if (rest.depth_mm >= rows.tool.radius_mm) {
     throw std::invalid_argument{
@@ -171,11 +171,11 @@ std::shared_ptr<const surface::MilledRegion> rest_of(const RegionOptions& option
 void add_region_options(CLI::App& command, RegionOptions& options) {
   add_boundary_options(command, options);
   command
-      .add_option("--slope",
-                  options.slope,
-                  "Mill only where the surface under the tool has a slope in this range, degrees "
-                  "from the level;\nranges with a common limit overlap by a quarter of the tool's "
-                  "radius")
+      .add_option(
+          "--slope",
+          options.slope,
+          "Mill only where the surface under the tool has a slope in this range, degrees "
+          "from the level;\nranges with a common limit overlap by a quarter of the tool's radius")
       ->type_name("LOW:HIGH");
   add_rest_options(command, options);
 }

@@ -35,13 +35,14 @@ void add_carve_files(CLI::App& command, CarveOptions& options) {
                 ->required()
                 ->type_name("FILE"),
             FileRole::kInput);
-  mark_file(command
-                .add_option("--beside",
-                            options.beside,
-                            "File of other beams for the same part, which carve a second block for "
-                            "comparison")
-                ->type_name("FILE"),
-            FileRole::kInput);
+  mark_file(
+      command
+          .add_option(
+              "--beside",
+              options.beside,
+              "File of other beams for the same part, which carve a second block for comparison")
+          ->type_name("FILE"),
+      FileRole::kInput);
   mark_file(command
                 .add_option("--carved",
                             options.carved,

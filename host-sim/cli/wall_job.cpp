@@ -207,14 +207,14 @@ void print_figures(const WallOptions& options, const WallJob& job) {
   }
   if (job.undercut.area_mm2 > kMinUndercutMm2) {
     const Eigen::Vector3d& place = job.undercut.place;
-    terminal::print(stderr,
-                    "{}: the part overhangs {:.3f} mm2, most at {:.3f} {:.3f} {:.3f}; the stock "
-                    "below stays\n",
-                    options.file,
-                    job.undercut.area_mm2,
-                    place.x(),
-                    place.y(),
-                    place.z());
+    terminal::print(
+        stderr,
+        "{}: the part overhangs {:.3f} mm2, most at {:.3f} {:.3f} {:.3f}; the stock below stays\n",
+        options.file,
+        job.undercut.area_mm2,
+        place.x(),
+        place.y(),
+        place.z());
   }
 }
 

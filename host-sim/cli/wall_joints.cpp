@@ -88,13 +88,13 @@ void add_wall_joints_command(CLI::App& wall_command, ExitStatus& status) {
   mark_file(
       command->add_option("FILE", options->file, "The program; - is standard input")->required(),
       FileRole::kInput);
-  mark_file(command
-                ->add_option("--settings",
-                             options->settings_file,
-                             "File of the machine's settings, `$N=value` on each line, with $900 "
-                             "to $917")
-                ->type_name("FILE"),
-            FileRole::kInput);
+  mark_file(
+      command
+          ->add_option("--settings",
+                       options->settings_file,
+                       "File of the machine's settings, `$N=value` on each line, with $900 to $917")
+          ->type_name("FILE"),
+      FileRole::kInput);
   command
       ->add_option("--set",
                    options->set,

@@ -53,13 +53,13 @@ void refuse_far(const Contour& contour, const std::string& name) {
   for (std::size_t i = 0; i < contour.vertices.size(); ++i) {
     const ContourVertex& vertex = contour.vertices[i];
     if (std::max(std::abs(vertex.x), std::abs(vertex.y)) <= drawing::kFarthestMm) continue;
-    throw FaultyDrawing{fmt::format(
-        "{}: vertex {} at {:g} {:g}: is farther than 10 km from the origin; check that its unit "
-        "is mm",
-        name,
-        i + 1,
-        vertex.x,
-        vertex.y)};
+    throw FaultyDrawing{
+        fmt::format("{}: vertex {} at {:g} {:g}: is farther than 10 km from the origin; check that "
+                    "its unit is mm",
+                    name,
+                    i + 1,
+                    vertex.x,
+                    vertex.y)};
   }
 }
 

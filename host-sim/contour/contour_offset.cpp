@@ -159,11 +159,10 @@ cnc::contour::ContourView<double> ContourOffset::offset_once_filled(
           filled_ = std::move(*outlines);
           return offset_once_filled(filled_.view(), distance_mm, true);
         }
-        throw NoOffset{input.vertices[0].point(),
-                       "the offset of the contour that begins here, or of another contour, does "
-                       "not "
-                       "close",
-                       "separate loops that cross each other"};
+        throw NoOffset{
+            input.vertices[0].point(),
+            "the offset of the contour that begins here, or of another contour, does not close",
+            "separate loops that cross each other"};
       case OffsetFault::kTooManyElements:
       case OffsetFault::kResultTooLong:
         grow(2 * space_.elements() + 8, space_.cuts() + 16);

@@ -20,8 +20,8 @@ namespace {
 double share_of_full(double watts, const Beam& beam) {
   if (watts <= beam.full_power_w) return watts / beam.full_power_w;
   throw std::invalid_argument(
-      fmt::format("{:g} W are more than the laser's {:g} W; choose less, or give the laser's "
-                  "power with --full-power",
+      fmt::format("{:g} W are more than the laser's {:g} W; choose less, or give the laser's power "
+                  "with --full-power",
                   watts,
                   beam.full_power_w));
 }

@@ -136,11 +136,10 @@ class StrokeWriter {
 
   void take(const Written& written, const Place& place) {
     if (!written.ok()) {
-      throw std::invalid_argument(
-          fmt::format("X{:g} Y{:g} mm is too far from zero for a program; check the unit of the "
-                      "drawing",
-                      place.x(),
-                      place.y()));
+      throw std::invalid_argument(fmt::format(
+          "X{:g} Y{:g} mm is too far from zero for a program; check the unit of the drawing",
+          place.x(),
+          place.y()));
     }
     text_ += written.value();
   }

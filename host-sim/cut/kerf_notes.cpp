@@ -54,8 +54,8 @@ std::string note_of_laser(const MaterialRecord& record, const std::string& laser
   }
   if (laser.empty()) {
     return fmt::format(
-        "the kerf of {} was measured with the laser `{}`; if this machine has "
-        "it, name it with --laser",
+        "the kerf of {} was measured with the laser `{}`; if this machine has it, name it with "
+        "--laser",
         record.name,
         record.laser);
   }

@@ -79,13 +79,13 @@ std::vector<drawing::Fault> shared_by(const DrawnEdges& edges,
                                         "touches other parts at corners: the cut between "
                                         "them takes up to {:.3f} mm off it there",
                                         half_kerf_mm);
-    warnings.push_back({drawing::FaultKind::kIgnored,
-                        edges.drawn.contours[i].entity,
-                        where,
-                        along,
-                        fmt::format("draw parts the kerf apart, {:.3f} mm, if they must keep their "
-                                    "size",
-                                    2.0 * half_kerf_mm)});
+    warnings.push_back(
+        {drawing::FaultKind::kIgnored,
+         edges.drawn.contours[i].entity,
+         where,
+         along,
+         fmt::format("draw parts the kerf apart, {:.3f} mm, if they must keep their size",
+                     2.0 * half_kerf_mm)});
   }
   return warnings;
 }

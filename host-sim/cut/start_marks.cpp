@@ -66,13 +66,13 @@ std::vector<std::optional<Place>> marked_starts(const drawing::Drawing& drawn,
     const Place place = middle_of(strokes.strokes);
     const Clearance::Nearest nearest = contours.nearest(place);
     if (nearest.distance_mm >= kFarthestMark) {
-      faults.push_back({drawing::FaultKind::kBadEntity,
-                        mark.entity,
-                        place,
-                        fmt::format("marks a start, but no closed contour that is cut is within "
-                                    "{:g} mm of it",
-                                    kFarthestMark),
-                        "move it to a contour, or skip its layer"});
+      faults.push_back(
+          {drawing::FaultKind::kBadEntity,
+           mark.entity,
+           place,
+           fmt::format("marks a start, but no closed contour that is cut is within {:g} mm of it",
+                       kFarthestMark),
+           "move it to a contour, or skip its layer"});
     } else if (starts[nearest.owner]) {
       faults.push_back({drawing::FaultKind::kBadEntity,
                         mark.entity,

@@ -32,12 +32,12 @@ std::vector<Piece> pieces_of(Sketch& sketch) {
     measure(piece);
     places += piece.outline.size();
     if (places > most) {
-      sketch.report({FaultKind::kTooMuch,
-                     piece.contour.entity,
-                     {},
-                     "there are more curves than can be compared; this curve and all later ones "
-                     "are left out",
-                     "divide the drawing into several files"});
+      sketch.report(
+          {FaultKind::kTooMuch,
+           piece.contour.entity,
+           {},
+           "there are more curves than can be compared; this curve and all later ones are left out",
+           "divide the drawing into several files"});
       break;
     }
     pieces.push_back(std::move(piece));
@@ -54,11 +54,11 @@ Fault dense(const Piece& piece, double width_mm) {
       FaultKind::kTooSmall,
       contour.entity,
       piece.outline.front(),
-      fmt::format("the contour runs to and fro: {:.3f} mm2 in {:.0f} mm of path, {:.2g} mm wide "
-                  "on average",
-                  std::abs(contour.area_mm2),
-                  contour.length_mm,
-                  width_mm),
+      fmt::format(
+          "the contour runs to and fro: {:.3f} mm2 in {:.0f} mm of path, {:.2g} mm wide on average",
+          std::abs(contour.area_mm2),
+          contour.length_mm,
+          width_mm),
       "it is left out; simplify it, or leave it open to draw a line"};
 }
 

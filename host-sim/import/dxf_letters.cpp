@@ -74,9 +74,7 @@ DxfLetters text_line(const DxfEntity& entity, const DxfStyle& style, text::Lette
     letters.notes.emplace_back("has characters (%%nnn) that are not in ASCII: they are left out");
   }
   if (words.has_lines)
-    letters.notes.emplace_back(
-        "has lines under or over its letters: they are "
-        "left out");
+    letters.notes.emplace_back("has lines under or over its letters: they are left out");
   const auto across = static_cast<Across>(std::clamp(entity.whole(72, 0), 0, 5));
   const bool is_between = across == Across::kAligned || across == Across::kFit;
   const double base_line = base_line_of(entity, line, lettering);

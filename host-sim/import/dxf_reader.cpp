@@ -71,12 +71,8 @@ class DxfReader {
 
  private:
   void finish(bool any) {
-    if (!any)
-      sketch_.refuse(1,
-                     0,
-                     "the file has no section of a DXF file",
-                     "save the drawing "
-                     "again as DXF");
+    if (any) return;
+    sketch_.refuse(1, 0, "the file has no section of a DXF file", "save the drawing again as DXF");
   }
 
   void next(DxfCursor& cursor) { group_ = cursor.next(); }

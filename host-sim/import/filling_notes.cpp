@@ -20,8 +20,8 @@ std::string text_of(const FilledSet& filled, std::size_t contours) {
       ": replaced by {} outline{} of the filled area", outlines, outlines == 1 ? "" : "s");
   if (filled.small_loops != 0) {
     text += fmt::format(
-        "; {} loop{} of less than {} mm2 or {} mm of width left out, the largest "
-        "of {:.4f} mm2 at {:.3f} {:.3f}",
+        "; {} loop{} smaller than {} mm2 or narrower than {} mm left out; the largest has "
+        "{:.4f} mm2 and is at {:.3f} {:.3f}",
         filled.small_loops,
         filled.small_loops == 1 ? "" : "s",
         kMinLoop.area_mm2,
@@ -32,8 +32,8 @@ std::string text_of(const FilledSet& filled, std::size_t contours) {
   }
   if (filled.unseen_mm > kUnseenRoundingMm) {
     text += fmt::format(
-        "; {:.3f} mm of lines that do not bound this area are left out, the "
-        "longest of {:.3f} mm at {:.3f} {:.3f}",
+        "; {:.3f} mm of lines that do not bound this area are left out; the "
+        "longest has {:.3f} mm and is at {:.3f} {:.3f}",
         filled.unseen_mm,
         filled.longest_unseen.size,
         filled.longest_unseen.place.x(),
@@ -73,11 +73,11 @@ void FillingNotes::add(const std::vector<Piece>& pieces,
 void FillingNotes::finish() {
   if (mended_ != 0) {
     const std::string whose =
-        mended_ == 1 ? std::string{"the contour has loops where it crosses itself"}
-                     : fmt::format(
-                           "{} contours, of which this is the first, have loops where they cross "
-                           "themselves",
-                           mended_);
+        mended_ == 1
+            ? std::string{"the contour has loops where it crosses itself"}
+            : fmt::format(
+                  "{} contours, of which this is the first, have loops where they cross themselves",
+                  mended_);
     sketch_.report({FaultKind::kMended,
                     *first_,
                     greatest_.place,
@@ -91,15 +91,16 @@ void FillingNotes::finish() {
                     {}});
   }
   if (more_ != 0) {
-    sketch_.report({FaultKind::kMended,
-                    {},
-                    {},
-                    fmt::format("{} more sets of crossing contours are replaced by outlines of "
-                                "the filled area; "
-                                "{:.3f} mm of lines that do not bound this area are left out",
-                                more_,
-                                more_unseen_mm_),
-                    {}});
+    sketch_.report(
+        {FaultKind::kMended,
+         {},
+         {},
+         fmt::format(
+             "{} more sets of crossing contours are replaced by outlines of the filled area; "
+             "{:.3f} mm of lines that do not bound this area are left out",
+             more_,
+             more_unseen_mm_),
+         {}});
   }
 }
 

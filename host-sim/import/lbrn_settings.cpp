@@ -66,8 +66,8 @@ OfferedSettings offered_by(const pugi::xml_node& setting) {
 
 std::string note_of_kerf_offset(double offset_mm) {
   return fmt::format(
-      "the kerf offset of {0:g} mm is not used: set --kerf {1:g}, the full width of the "
-      "kerf, instead",
+      "the kerf offset of {0:g} mm is not used: set --kerf {1:g}, the full width of the kerf, "
+      "instead",
       offset_mm,
       2.0 * std::abs(offset_mm));
 }

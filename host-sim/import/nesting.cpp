@@ -146,12 +146,12 @@ struct Innermost {
 /// enough to bound the total number of these points.
 double spacing_of_places(const std::vector<Piece>& pieces) {
   constexpr double kEveryMm = 2.0;
-  constexpr double kMaxPlaces = 500'000.0;
+  constexpr double kMaxChecked = 500'000.0;
   double length = 0.0;
   for (const Piece& piece : pieces) {
     if (!piece.contour.closed) length += piece.contour.length_mm;
   }
-  return std::max(kEveryMm, length / kMaxPlaces);
+  return std::max(kEveryMm, length / kMaxChecked);
 }
 
 /// Returns points along an open outline: at least three, at most `every_mm` apart.

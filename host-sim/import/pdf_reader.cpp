@@ -119,12 +119,11 @@ void read_pdf(const std::string& text, Sketch& sketch) {
   if (!document) {
     const bool locked =
         failure && g_error_matches(failure.get(), POPPLER_ERROR, POPPLER_ERROR_ENCRYPTED) != 0;
-    return sketch.refuse(0,
-                         0,
-                         locked ? "it is a PDF file that a password protects"
-                                : "it is a broken "
-                                  "PDF file",
-                         locked ? "save it without a password" : "export it again");
+    return sketch.refuse(
+        0,
+        0,
+        locked ? "it is a PDF file that a password protects" : "it is a broken PDF file",
+        locked ? "save it without a password" : "export it again");
   }
   const int pages = poppler_document_get_n_pages(document.get());
   const Page page{pages > 0 ? poppler_document_get_page(document.get(), 0) : nullptr};

@@ -124,8 +124,7 @@ bool Sketch::add(Chain chain) {
     report({FaultKind::kTooMuch,
             from,
             {},
-            fmt::format("there are more than {} curves; this curve and all later ones are left "
-                        "out",
+            fmt::format("there are more than {} curves; this curve and all later ones are left out",
                         kMaxShapes),
             "simplify the drawing, or divide it into several files"});
     return false;

@@ -107,10 +107,7 @@ void SvgClips::add_path(pugi::xml_node child,
     if (properties.get("display") == "none" || !style.is_visible) return;
     const auto transform = svg_own_transform(properties, style.viewport);
     if (!transform)
-      return document_.report_bad(child,
-                                  "its transform cannot be read",
-                                  "correct "
-                                  "it");
+      return document_.report_bad(child, "its transform cannot be read", "correct it");
     own = own * *transform;
     const std::string_view name = local_name(child);
     if (is_svg_shape(name)) {

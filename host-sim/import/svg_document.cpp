@@ -115,12 +115,12 @@ SvgProperties SvgDocument::properties_of(const pugi::xml_node& node) {
   SvgProperties properties = cascade_.properties_of(node);
   if (cascade_.is_exhausted() && !told_of_steps_) {
     told_of_steps_ = true;
-    sketch_.report({FaultKind::kTooMuch,
-                    entity_of(node),
-                    {},
-                    "the style sheets have too many rules to be compared; from here on they are "
-                    "ignored",
-                    "export with presentation attributes"});
+    sketch_.report(
+        {FaultKind::kTooMuch,
+         entity_of(node),
+         {},
+         "the style sheets have too many rules to be compared; from here on they are ignored",
+         "export with presentation attributes"});
   }
   return properties;
 }

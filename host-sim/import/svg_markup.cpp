@@ -247,14 +247,14 @@ void SvgMarkup::undeclared(std::string_view name, std::size_t at) {
   if (!undeclared_.emplace(name, true).second) return;
   const auto [line, column] = lines_.at(at);
   const bool is_deep = entities_.contains(name);
-  sketch_.report({FaultKind::kBadEntity,
-                  {.name = fmt::format("entity &{:.60};", name), .line = line, .column = column},
-                  {},
-                  is_deep ? fmt::format("it contains itself, or entities that are nested deeper "
-                                        "than {}",
-                                        kDeepestEntity)
-                          : "it is not declared in the DOCTYPE",
-                  "replace it by the text for which it stands"});
+  sketch_.report(
+      {FaultKind::kBadEntity,
+       {.name = fmt::format("entity &{:.60};", name), .line = line, .column = column},
+       {},
+       is_deep ? fmt::format("it contains itself, or entities that are nested deeper than {}",
+                             kDeepestEntity)
+               : "it is not declared in the DOCTYPE",
+       "replace it by the text for which it stands"});
 }
 
 }  // namespace sim::drawing

@@ -20,11 +20,11 @@ void note_burn(Sketch& sketch, const std::string& svg) {
   const bool is_known = end != from && std::string_view{end}.starts_with("mm");
   if (!is_known || !(burn_mm > 0.0) || burn_mm > kMaxBurnMm) return;
   sketch.note(
-      fmt::format("drawn by Boxes.py with burn {:g} mm, which allows for a kerf of {:g} mm: "
-                  "its parts have the right size if they are cut on the lines, not offset from "
-                  "them",
-                  burn_mm,
-                  2.0 * burn_mm),
+      fmt::format(
+          "drawn by Boxes.py with burn {:g} mm, which allows for a kerf of {:g} mm: "
+          "its parts have the right size if they are cut on the lines, not offset from them",
+          burn_mm,
+          2.0 * burn_mm),
       {},
       "draw it with burn 0, or cut with --layer '*: side=on'");
 }

@@ -242,8 +242,7 @@ class SvgReader {
     if (!target) {
       return document_.report_bad(node,
                                   fmt::format("no element has the name \"{:.60}\"", link),
-                                  "embed the element that "
-                                  "it links");
+                                  "embed the element that it links");
     }
     if (std::ranges::find(used_, target) != used_.end() || style.depth >= kDeepestNesting) {
       return document_.report_bad(

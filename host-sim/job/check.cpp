@@ -105,8 +105,7 @@ Report check(const Job& job) {
   if (!job.text) warn_of_stale_inputs(job, simulator, report);
   if (report.refused_lines > 0) {
     report.warnings.push_back(
-        fmt::format("{}: bounds, length and time do not include {} refused "
-                    "line{}",
+        fmt::format("{}: bounds, length and time do not include {} refused line{}",
                     job.file,
                     report.refused_lines,
                     report.refused_lines == 1 ? "" : "s"));

@@ -68,18 +68,18 @@ void warn_of_step_rates(const Job& job, const cnc::Settings& settings, Report& r
     const double most = std::min(limits.steps_per_s_one_motor, limits.steps_per_s_all_motors);
     const double wanted = scale * limits.rate_mm_s[axis];
     if (wanted <= kNoLess * most) continue;
-    report.warnings.push_back(fmt::format(
-        "{}: ${}={:g} is {:.0f} steps/s; pulses of $0={:g} us leave {:.0f}, so {} is driven at "
-        "{:.0f} {}/min at most",
-        job.file,
-        cnc::setting::kRate + axis,
-        settings.get(cnc::setting::kRate, axis),
-        wanted,
-        settings.get(cnc::setting::kStepPulse),
-        most,
-        cnc::kAxisLetters[axis],
-        most / scale * 60.0,
-        axis < cnc::kLinearAxisCount ? "mm" : "deg"));
+    report.warnings.push_back(
+        fmt::format("{}: ${}={:g} is {:.0f} steps/s; pulses of $0={:g} us leave {:.0f}, so {} is "
+                    "driven at {:.0f} {}/min at most",
+                    job.file,
+                    cnc::setting::kRate + axis,
+                    settings.get(cnc::setting::kRate, axis),
+                    wanted,
+                    settings.get(cnc::setting::kStepPulse),
+                    most,
+                    cnc::kAxisLetters[axis],
+                    most / scale * 60.0,
+                    axis < cnc::kLinearAxisCount ? "mm" : "deg"));
   }
 }
 

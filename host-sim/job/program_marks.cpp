@@ -31,8 +31,7 @@ std::optional<std::string> ProgramMarks::take(std::size_t line, std::string_view
   if (is_name(text)) {
     if (has_content_ && named_line_ != 0) {
       return fmt::format(
-          "a second program begins here, after the program of line {}; it is "
-          "driven, too",
+          "a second program begins here, after the program of line {}; it is driven, too",
           named_line_);
     }
     if (named_line_ == 0) named_line_ = line;
@@ -47,8 +46,7 @@ std::optional<std::string> ProgramMarks::take(std::size_t line, std::string_view
   if (end_line_ == 0 || is_noted_) return std::nullopt;
   is_noted_ = true;
   return fmt::format(
-      "the program continues after the % of line {}: the lines from here on are "
-      "driven, too",
+      "the program continues after the % of line {}: the lines from here on are driven, too",
       end_line_);
 }
 

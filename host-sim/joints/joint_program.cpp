@@ -121,8 +121,8 @@ class JointWriter {
   [[nodiscard]] JointProgram take_program() {
     if (!has_centre_) {
       throw std::invalid_argument(
-          "the program has no G43.4: its positions are axis positions already, there is nothing "
-          "to convert");
+          "the program has no G43.4: its positions are axis positions already, there is nothing to "
+          "convert");
     }
     return std::move(program_);
   }

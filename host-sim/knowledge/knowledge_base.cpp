@@ -110,8 +110,8 @@ void KnowledgeBase::add(const std::vector<Experiment>& cuts,
   const Experiment first = cuts.empty() ? Experiment{} : cuts.front();
   file_
       .prepare(
-          "INSERT INTO import (file, crc32, bytes, measured_by, measured_on) "
-          "VALUES (?, ?, ?, ?, ?)")
+          "INSERT INTO import (file, crc32, bytes, measured_by, measured_on) VALUES (?, ?, ?, ?, "
+          "?)")
       .bind(file)
       .bind(crc)
       .bind(text.size())
@@ -222,8 +222,8 @@ void KnowledgeBase::insert_thickness(std::int64_t record, const ThicknessRecord&
   for (const PowerRecord& power : row.powers) {
     file_
         .prepare(
-            "INSERT INTO power (thickness, power_mw, least_speed_um_min, most_speed_um_min) "
-            "VALUES (?, ?, ?, ?)")
+            "INSERT INTO power (thickness, power_mw, least_speed_um_min, most_speed_um_min) VALUES "
+            "(?, ?, ?, ?)")
         .bind(thickness)
         .bind(power.power_mw)
         .bind(power.speeds_um_min.least)
@@ -242,8 +242,8 @@ void KnowledgeBase::insert_thickness(std::int64_t record, const ThicknessRecord&
 
 std::vector<MaterialRecord> KnowledgeBase::records() const {
   SqlStatement rows = file_.prepare(
-      "SELECT id, material, heat_unit, laser, gas_pressure_mpa, calibrated, provenance "
-      "FROM record ORDER BY id");
+      "SELECT id, material, heat_unit, laser, gas_pressure_mpa, calibrated, provenance FROM record "
+      "ORDER BY id");
   std::vector<MaterialRecord> records;
   while (rows.next()) {
     records.push_back({.name = rows.text(1),

@@ -68,13 +68,12 @@ Operations of_thickness(const Operations& operations, std::optional<std::uint32_
   for (const OperationRecord& one : operations) {
     known.push_back(fmt::format("\"{}\" ({})", one.description, text_of(one)));
   }
-  throw std::invalid_argument(
-      fmt::format("{}: there are {} settings to {} it, none measured here; choose "
-                  "one with --entry: {}",
-                  wish.material,
-                  known.size(),
-                  wish.kind,
-                  fmt::join(known, ", ")));
+  throw std::invalid_argument(fmt::format(
+      "{}: there are {} settings to {} it, none measured here; choose one with --entry: {}",
+      wish.material,
+      known.size(),
+      wish.kind,
+      fmt::join(known, ", ")));
 }
 
 [[noreturn]] void refuse_description(const Operations& operations, const OperationWish& wish) {

@@ -39,8 +39,8 @@ void add_growing(std::string& out,
   frames.add(steps[end - 1].end_s / time.total_s, "0");
   frames.add(1.0, "0");
   fmt::format_to(std::back_inserter(out),
-                 "<path d=\"{0}\" pathLength=\"{1:.2f}\" stroke-dasharray=\"{1:.2f} {1:.2f}\">"
-                 "<animate attributeName=\"stroke-dashoffset\" {2} {3}/></path>\n",
+                 "<path d=\"{0}\" pathLength=\"{1:.2f}\" stroke-dasharray=\"{1:.2f} "
+                 "{1:.2f}\"><animate attributeName=\"stroke-dashoffset\" {2} {3}/></path>\n",
                  data,
                  length,
                  frames.attributes(),
@@ -115,8 +115,8 @@ void add_appearing_cuts(std::string& out,
     frames.add(ends[end - 1] / time.total_s, "visible");
     frames.add(1.0, "visible");
     fmt::format_to(std::back_inserter(out),
-                   "<path d=\"{}\"><animate attributeName=\"visibility\" calcMode=\"discrete\" "
-                   "{} {}/></path>\n",
+                   "<path d=\"{}\"><animate attributeName=\"visibility\" calcMode=\"discrete\" {} "
+                   "{}/></path>\n",
                    data,
                    frames.attributes(),
                    time.attributes());

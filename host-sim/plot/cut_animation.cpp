@@ -110,20 +110,20 @@ void Animator::add_clock(std::string& out) const {
   }
   // The window is a clip path and not a nested <svg>, because browsers would give a nested <svg> a
   // separate time. In a viewer that does not animate, the window shows the last text.
-  fmt::format_to(std::back_inserter(out),
-                 "<clipPath id=\"window\"><rect width=\"230\" height=\"{2:g}\"/></clipPath>\n"
-                 "<g transform=\"translate({0:g} {1:g})\" clip-path=\"url(#window)\">"
-                 "<g class=\"clock\" font-size=\"22\" fill=\"#222222\" "
-                 "transform=\"translate(0 {3:g})\">{4}"
-                 "<animateTransform attributeName=\"transform\" type=\"translate\" "
-                 "calcMode=\"discrete\" {5} {6}/></g></g>\n",
-                 kAnimationMarginPx,
-                 y_px,
-                 kLinePx,
-                 -kLinePx * static_cast<double>(steps + 1),
-                 texts,
-                 frames.attributes(),
-                 time_.attributes());
+  fmt::format_to(
+      std::back_inserter(out),
+      "<clipPath id=\"window\"><rect width=\"230\" height=\"{2:g}\"/></clipPath>\n"
+      "<g transform=\"translate({0:g} {1:g})\" clip-path=\"url(#window)\"><g class=\"clock\" "
+      "font-size=\"22\" fill=\"#222222\" transform=\"translate(0 {3:g})\">{4}"
+      "<animateTransform attributeName=\"transform\" type=\"translate\" calcMode=\"discrete\" {5} "
+      "{6}/></g></g>\n",
+      kAnimationMarginPx,
+      y_px,
+      kLinePx,
+      -kLinePx * static_cast<double>(steps + 1),
+      texts,
+      frames.attributes(),
+      time_.attributes());
   std::string note = fmt::format("of {}", duration_text(time_.total_s));
   if (time_.total_s > time_.shown_s)
     note += fmt::format(", shown {:.1f} times faster", time_.total_s / time_.shown_s);

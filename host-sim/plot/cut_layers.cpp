@@ -148,13 +148,13 @@ void add_parts(std::string& out, const CutScene& scene, const View& view) {
     add_outline(cuts_through(scene.plan, i, contour.entity.layer) ? edges : others, contour, view);
   }
   add_line(out, others, kEdgeColour, kEdgePx);
-  fmt::format_to(std::back_inserter(out),
-                 "<path d=\"{}\" fill=\"{}\" fill-rule=\"evenodd\" stroke=\"{}\" "
-                 "stroke-width=\"{:.1f}\"/>\n",
-                 edges,
-                 kPartColour,
-                 kEdgeColour,
-                 kEdgePx);
+  fmt::format_to(
+      std::back_inserter(out),
+      "<path d=\"{}\" fill=\"{}\" fill-rule=\"evenodd\" stroke=\"{}\" stroke-width=\"{:.1f}\"/>\n",
+      edges,
+      kPartColour,
+      kEdgeColour,
+      kEdgePx);
 }
 
 std::string path_data_of(const Cut& cut, const View& view, bool (*wanted)(const Stroke&)) {

@@ -113,9 +113,9 @@ void add_heat(std::string& out,
               const View& view) {
   if (std::ranges::none_of(heat, [](double warm) { return warm > kMinHeat; })) return;
   fmt::format_to(std::back_inserter(out),
-                 "<defs><radialGradient id=\"heat\"><stop offset=\"0\" stop-color=\"{0}\"/>"
-                 "<stop offset=\"1\" stop-color=\"{0}\" stop-opacity=\"0\"/></radialGradient>"
-                 "</defs>\n<g class=\"heat\" fill=\"url(#heat)\">\n",
+                 "<defs><radialGradient id=\"heat\"><stop offset=\"0\" stop-color=\"{0}\"/><stop "
+                 "offset=\"1\" stop-color=\"{0}\" stop-opacity=\"0\"/></radialGradient></defs>\n<g "
+                 "class=\"heat\" fill=\"url(#heat)\">\n",
                  kHeatColour);
   const double radius_px = std::clamp(cut::kHeatFadesInMm * view.px_per_mm(), 6.0, 90.0);
   for (std::size_t i = 0; i < heat.size(); ++i) {

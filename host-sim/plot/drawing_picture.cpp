@@ -88,9 +88,9 @@ std::string draw_contours(const drawing::Drawing& drawn) {
   const double height = kSidePx * bounds.height_mm() / longest;
   const View view{bounds, {kDrawingMarginPx, kDrawingMarginPx, width, height}};
   std::string out = fmt::format(
-      "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0:.1f}\" height=\"{1:.1f}\" "
-      "viewBox=\"0 0 {0:.1f} {1:.1f}\" style=\"max-width:100%;max-height:100vh\" "
-      "font-family=\"'DejaVu Sans', Verdana, sans-serif\">\n<title>{2}</title>\n",
+      "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0:.1f}\" height=\"{1:.1f}\" viewBox=\"0 "
+      "0 {0:.1f} {1:.1f}\" style=\"max-width:100%;max-height:100vh\" font-family=\"'DejaVu Sans', "
+      "Verdana, sans-serif\">\n<title>{2}</title>\n",
       width + 2.0 * kDrawingMarginPx,
       height + 2.0 * kDrawingMarginPx,
       svg::escaped(drawn.file));

@@ -58,8 +58,7 @@ void add_figures(SheetPages& pages,
                              job.beam.knows_watts ? "W" : "%",
                              job.beam.follows_speed ? "it follows the speed" : "constant"));
   pages.add_text(
-      fmt::format("{:.1f} × {:.1f} mm with leads; {} cuts, {:.1f} mm cut, {:.1f} mm "
-                  "rapid; {}.",
+      fmt::format("{:.1f} × {:.1f} mm with leads; {} cuts, {:.1f} mm cut, {:.1f} mm rapid; {}.",
                   extent.width_mm(),
                   extent.height_mm(),
                   figures.cuts,
@@ -114,8 +113,8 @@ void add_sheet_picture(SheetPages& pages, const CutJob& job, const CutAccount& a
   const double height_px = kFineness * box.height_px;
   std::string& out = pages.page();
   fmt::format_to(std::back_inserter(out),
-                 "<svg x=\"{:.2f}\" y=\"{:.2f}\" width=\"{:.2f}\" height=\"{:.2f}\" "
-                 "viewBox=\"0 0 {:.2f} {:.2f}\">\n",
+                 "<svg x=\"{:.2f}\" y=\"{:.2f}\" width=\"{:.2f}\" height=\"{:.2f}\" viewBox=\"0 0 "
+                 "{:.2f} {:.2f}\">\n",
                  box.left_px,
                  box.top_px,
                  box.width_px,

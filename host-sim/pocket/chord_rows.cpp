@@ -179,11 +179,11 @@ ChordRows chords_of(const cnc::pocket::AreaDistance& area, double sagitta_mm) {
     sagitta_mm /= kFiner;
   }
   const WideVec2 place = area.element(crossed->element).start;
-  throw std::runtime_error{fmt::format(
-      "at {:.3f} {:.3f}: the element that begins here crosses or touches another element; "
-      "separate them",
-      place.x(),
-      place.y())};
+  throw std::runtime_error{
+      fmt::format("at {:.3f} {:.3f}: the element that begins here crosses or touches another "
+                  "element; separate them",
+                  place.x(),
+                  place.y())};
 }
 
 }  // namespace sim::pocket

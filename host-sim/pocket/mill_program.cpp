@@ -123,8 +123,7 @@ class RowWriter {
 
   [[noreturn]] static void refuse(const Point& point) {
     throw std::invalid_argument(fmt::format(
-        "X{:g} Y{:g} Z{:g} mm is too far from zero for a program; check the unit of the "
-        "drawing",
+        "X{:g} Y{:g} Z{:g} mm is too far from zero for a program; check the unit of the drawing",
         point.x,
         point.y,
         point.z));

@@ -57,18 +57,17 @@ std::string facts_text(const Report& report) {
   }
   if (report.tip) {
     const TipReport& tip = *report.tip;
-    add_fact(
-        out,
-        "tip",
-        fmt::format("X {:.3f} to {:.3f}, Y {:.3f} to {:.3f}, Z {:.3f} to {:.3f} mm, tilted up to "
-                    "{:.2f} deg",
-                    tip.min_mm[0],
-                    tip.greatest_mm[0],
-                    tip.min_mm[1],
-                    tip.greatest_mm[1],
-                    tip.min_mm[2],
-                    tip.greatest_mm[2],
-                    tip.greatest_tilt_deg));
+    add_fact(out,
+             "tip",
+             fmt::format("X {:.3f} to {:.3f}, Y {:.3f} to {:.3f}, Z {:.3f} to {:.3f} mm, tilted up "
+                         "to {:.2f} deg",
+                         tip.min_mm[0],
+                         tip.greatest_mm[0],
+                         tip.min_mm[1],
+                         tip.greatest_mm[1],
+                         tip.min_mm[2],
+                         tip.greatest_mm[2],
+                         tip.greatest_tilt_deg));
   }
   if (report.stock) {
     for (const auto& [name, value] : stock_facts(*report.stock)) add_fact(out, name, value);

@@ -228,15 +228,14 @@ std::vector<std::string> warnings_of(const stock::StockReport& report, const std
   std::vector<std::string> warnings;
   for (const stock::LineCut& cut : rapids.lines) {
     if (warnings.size() == kMaxRapidWarnings) break;
-    warnings.push_back(
-        fmt::format("{}:{}: a rapid cuts stock, at least {:.3g} mm³, first near X{:.3f} Y{:.3f} "
-                    "Z{:.3f}",
-                    file,
-                    cut.line,
-                    cut.min_mm3,
-                    cut.at.x_mm,
-                    cut.at.y_mm,
-                    cut.at.z_mm));
+    warnings.push_back(fmt::format(
+        "{}:{}: a rapid cuts stock, at least {:.3g} mm³, first near X{:.3f} Y{:.3f} Z{:.3f}",
+        file,
+        cut.line,
+        cut.min_mm3,
+        cut.at.x_mm,
+        cut.at.y_mm,
+        cut.at.z_mm));
   }
   if (rapids.count > warnings.size()) {
     warnings.push_back(

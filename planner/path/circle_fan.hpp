@@ -49,6 +49,10 @@ class CircleFan {
   /// @param within_mm Q, or its component along y; at least 1e-6
   void pass(const Vec2& point, float weight, float within_mm);
 
+  /// Removes the circles with `along` + `beside` · t < 0, where t is the slope. With the
+  /// coordinates of a point, these are the circles that leave the origin away from this point.
+  void keep_ahead(float along, float beside) { keep(0.0F, -beside, along); }
+
   /// The circles of the set through a point. They are all circles between the one with the lowest
   /// slope and the one with the highest slope.
   struct Through {

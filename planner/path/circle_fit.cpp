@@ -1,5 +1,7 @@
 #include "planner/path/circle_fit.hpp"
 
+#include <cmath>
+
 #include "planner/base/scalar_math.hpp"
 
 namespace cnc::path {
@@ -46,6 +48,9 @@ void CircleFit::pass(const Vec3& here, float within_mm) {
   const float chord_mm = chord.norm();
   if (chord_mm > chord_passed_) keep_near(last_, within_mm, chord_mm);
   keep_near(here, within_mm, 0.0F);
+  // Circles leave the start at a slope of at most kSteepest, so other points are ahead of them all.
+  const float beside = std::abs(here.y()) + std::abs(here.z());
+  if (here.x() < CircleFan::kSteepest * beside) keep_ahead(here, within_mm);
   chord_passed_ = kAlike * chord_mm;
   keep_near(here, within_mm, chord_passed_);
   last_ = here;
@@ -55,6 +60,15 @@ void CircleFit::keep_near(const Vec3& point, float within_mm, float chord_mm) {
   const float weight = point.squaredNorm() - square(within_mm) - 0.25F * square(chord_mm);
   left_.pass({point.x(), point.y()}, weight, frame_.left_share * within_mm);
   if (!frame_.flat()) up_.pass({point.x(), point.z()}, weight, frame_.up_share * within_mm);
+}
+
+/// Removes the circles that leave the start away from a point that is not within the tolerance of
+/// the start. A circle passes such a point only on the way that the path does not take. In space,
+/// each fan has its share of the condition: where both shares are fulfilled, so is the condition.
+void CircleFit::keep_ahead(const Vec3& point, float within_mm) {
+  if (point.squaredNorm() <= square(within_mm)) return;
+  left_.keep_ahead(square(frame_.left_share) * point.x(), point.y());
+  if (!frame_.flat()) up_.keep_ahead(square(frame_.up_share) * point.x(), point.z());
 }
 
 std::optional<CircleFit::Ending> CircleFit::ending_at(const Vec3& here) const {

@@ -63,6 +63,7 @@ class CircleFit {
 
  private:
   void keep_near(const Vec3& point, float within_mm, float chord_mm);
+  void keep_ahead(const Vec3& point, float within_mm);
 
   FitFrame frame_{};
   CircleFan left_{};

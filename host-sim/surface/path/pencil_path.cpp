@@ -222,8 +222,8 @@ PencilPath pencil_path(const Mesh& mesh, const RowOptions& options, const Pencil
   result.path = driver.drive(std::move(lines));
   if (result.path.stretches.empty()) {
     throw std::invalid_argument{
-        "the surface has no valley in which the tool touches both sides: check --pencil-angle, "
-        "or choose a larger tool"};
+        "the surface has no valley in which the tool touches both sides: check --pencil-angle, or "
+        "choose a larger tool"};
   }
   return result;
 }

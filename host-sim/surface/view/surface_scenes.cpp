@@ -272,8 +272,8 @@ SpaceScene path_scene(const Mesh& mesh, const SurfacePath& path, double safe_mm)
 }
 
 SpaceScene carved_scene(const stock::Stock& block) {
-  constexpr std::size_t kMaxPoints = 400'000;
-  const stock::HeightMap map{block, kMaxPoints};
+  constexpr std::size_t kMaxBlocks = 400'000;
+  const stock::HeightMap map{block, kMaxBlocks};
   SpaceScene scene{.title = "Carved stock"};
   const auto columns = static_cast<std::size_t>(map.columns());
   const auto rows = static_cast<std::size_t>(map.rows());

@@ -26,8 +26,7 @@ std::string Columns::fault_of(const stock::StockBox& box, double cell_mm) {
   const double depth = box.y_max - box.y_min;
   if (!(width > 0.0 && depth > 0.0 && box.top > box.bottom)) {
     return fmt::format(
-        "the stock of {:g} by {:g} by {:g} mm has no volume; give it more with "
-        "--around",
+        "the stock of {:g} by {:g} by {:g} mm has no volume; give it more with --around",
         width,
         depth,
         box.top - box.bottom);
@@ -35,8 +34,8 @@ std::string Columns::fault_of(const stock::StockBox& box, double cell_mm) {
   const double bytes = cells_along(width, cell_mm) * cells_along(depth, cell_mm) * sizeof(Span);
   if (bytes <= static_cast<double>(kMaxColumnBytes)) return {};
   return fmt::format(
-      "cells of {:g} mm on {:g} by {:g} mm take {:.0f} MB, and the maximum is {}; give "
-      "larger cells",
+      "cells of {:g} mm on {:g} by {:g} mm take {:.0f} MB, and the maximum is {}; give larger "
+      "cells",
       cell_mm,
       width,
       depth,

@@ -26,6 +26,7 @@ class ArcLimits {
   [[nodiscard]] float reach() const { return reach_; }
   /// Returns whether the limits are computed for all directions of travel within the time window
   /// together, because the window reaches farther than kFarReach.
+  // NOLINTNEXTLINE(clang-analyzer-core.UndefinedBinaryOperatorResult): reach_ has an initializer.
   [[nodiscard]] bool many_directions() const { return reach_ > kFarReach; }
   /// Returns the division of the acceleration within the plane between turning and the change of
   /// speed.

@@ -72,8 +72,8 @@ class Files(unittest.TestCase):
         yield dangling, "No such file"
         yield loop, "Too many levels"
         yield "/proc/self/mem", "Input/output error"
-        yield binary, "binary"
-        yield wide, "UTF-16" if option in SURFACES else "binary"
+        yield binary, "is no PNG" if option == "IMAGE" else "binary"
+        yield wide, "UTF-16" if option in SURFACES else "is no PNG" if option == "IMAGE" else "binary"
         locked = bench.folder / "locked"
         locked.write_text("")
         locked.chmod(0)

@@ -1,3 +1,4 @@
+
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -27,15 +28,18 @@ constexpr double kChord = 1.0e-4;
 struct Part {
   std::string path{};
   Outline outline{};
+  std::vector<Place> corners{};
   Place middle{0.0, 0.0};
 
   void begin(const Place& place) {
+    corners = {place};
     path = fmt::format("M{:.9f} {:.9f}", place.x(), 100.0 - place.y());
     outline = {place};
   }
   void go(const Place& place) {
     path += fmt::format("L{:.9f} {:.9f}", place.x(), 100.0 - place.y());
     outline.push_back(place);
+    corners.push_back(place);
   }
   /// Appends an arc around `centre`, from one angle to another one, of less than half a turn.
   void turn(const Place& centre, double radius, double from, double to) {
@@ -45,6 +49,7 @@ struct Part {
                         to > from ? 0 : 1,
                         end.x(),
                         100.0 - end.y());
+    corners.push_back(end);
     const int chords = 1 + static_cast<int>(std::abs(to - from) / std::sqrt(8.0 * kChord / radius));
     for (int k = 1; k <= chords; ++k) {
       outline.push_back(centre + radius * drawing::direction(from + (to - from) * k / chords));
@@ -242,8 +247,44 @@ double length_twice(const std::vector<Stroke>& strokes) {
   return twice;
 }
 
+/// Returns whether a place is between two ends of strokes that are so near to each other that the
+/// beam at these ends removes the material between them, up to a micrometre at the edges.
+bool is_burnt_from_ends(const std::vector<Stroke>& strokes, const Place& place) {
+  const double longest = 2.0 * std::sqrt(2.0 * kHalf * 1.0e-3);
+  std::vector<Place> ends;
+  for (const Stroke& stroke : strokes) {
+    for (const Place& end : {stroke.from, stroke.to}) {
+      if (drawing::distance(end, place) < longest) ends.push_back(end);
+    }
+  }
+  return std::ranges::any_of(ends, [&](const Place& a) {
+    return std::ranges::any_of(ends, [&](const Place& b) {
+      return drawing::dot(a - place, b - place) < 0.0 && drawing::distance(a, b) <= longest;
+    });
+  });
+}
+
+/// Returns by how much shared cuts may be beside drawn edges, mm. Corners of different parts that
+/// are a little apart count as one, and a cut that ends there ends at one of them.
+double allowed_beside(const std::vector<Part>& parts) {
+  constexpr double kSameCorner = 0.02;
+  double beside = 0.0;
+  for (const Part& part : parts) {
+    for (const Part& other : parts) {
+      for (const Place& corner : part.corners) {
+        for (const Place& near : other.corners) {
+          const double apart = drawing::distance(corner, near);
+          if (apart <= kSameCorner) beside = std::max(beside, apart);
+        }
+      }
+    }
+  }
+  return beside;
+}
+
 /// Checks a plan with the polygons of the parts alone.
 void judge(const std::vector<Part>& parts, const CutPlan& plan) {
+  const double beside = allowed_beside(parts);
   ASSERT_THAT(plan.faults, IsEmpty()) << plan.faults.front().reason;
   const Driven driven = driven_of(plan);
   const std::vector<EdgePoint> points = points_of(parts);
@@ -254,7 +295,8 @@ void judge(const std::vector<Part>& parts, const CutPlan& plan) {
       // Where only corners touch, no cut is necessary.
       const bool is_line =
           i > 0 && i + 1 < points.size() && points[i - 1].is_shared && points[i + 1].is_shared;
-      ASSERT_LT(nearest, is_line ? 1.0e-3 : kHalf + 1.0e-3) << point.place.transpose();
+      if (is_line && is_burnt_from_ends(driven.contours, point.place)) continue;
+      ASSERT_LT(nearest, is_line ? beside + 1.0e-3 : kHalf + 1.0e-3) << point.place.transpose();
       continue;
     }
     // Lines from the ends of shared edges lead through the waste between both parts.
@@ -265,7 +307,8 @@ void judge(const std::vector<Part>& parts, const CutPlan& plan) {
   for (const Place& place : driven.places) {
     for (const Part& part : parts) {
       if (!holds_place(part.outline, place)) continue;
-      ASSERT_LT(distance_to_outline(part.outline, place), 3.0 * kChord) << place.transpose();
+      ASSERT_LT(distance_to_outline(part.outline, place), beside + 3.0 * kChord)
+          << place.transpose();
     }
   }
   const BurntSheet sheet{plan};

@@ -251,7 +251,7 @@ class ByEzdxf(unittest.TestCase):
                     far_mm += math.dist(place, after)
                     step_mm = max(step_mm, math.dist(place, after))
         loops = sum(int(found[1]) for fault in read["faults"]
-                    for found in [re.search(r"(\d+) (?:loops? )?of less than", fault["reason"])] if found)
+                    for found in [re.search(r"(\d+) (?:loops? )?smaller than", fault["reason"])] if found)
         # A loop that is left out is shorter than 2 mm, by the limits of its area and width.
         self.assertLessEqual(far_mm, (2 + step_mm) * loops, far)
         self.assertTrue(all(nearest < 2 for _, nearest in far), far)

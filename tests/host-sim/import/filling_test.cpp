@@ -35,7 +35,7 @@ TEST(Filling, TheCornerLoopsOfABoxGeneratorAreLeftOutInOneNote) {
       "C 27 10.5 27.1 10.4 27 10.4 H 24.1 Z'/><circle cx='60' cy='60' r='9'/>"));
   ASSERT_THAT(kinds_of(drawn), ElementsAre(FaultKind::kMended));
   EXPECT_FALSE(drawn.has_errors());
-  EXPECT_THAT(drawn.faults[0].reason, HasSubstr("4 of less than 0.02 mm2"));
+  EXPECT_THAT(drawn.faults[0].reason, HasSubstr("4 smaller than 0.02 mm2"));
   ASSERT_THAT(drawn.contours, SizeIs(2));
   EXPECT_TRUE(drawn.contours[0].is_filled);
   EXPECT_THAT(shapes_of(drawn.contours[0]), ElementsAre("line", "line", "line", "line"));
@@ -54,12 +54,12 @@ TEST(Filling, AnOutlineThatIsTooDenseIsToldWithPlaceAndLimit) {
   const Drawing drawn = read_drawing("f.svg", text, {.effort = 0.0001});
   ASSERT_THAT(kinds_of(drawn), ElementsAre(FaultKind::kUnchecked));
   EXPECT_TRUE(drawn.has_errors());
-  EXPECT_THAT(to_string(drawn.faults[0], "f.svg"),
-              testing::MatchesRegex(
-                  "f.svg:1:[0-9]+: polygon \"hair\" at 0.000 90.000: too many curves lie close "
-                  "together to search all of them for crossings: 20000 pairs of curves were "
-                  "compared; "
-                  "simplify the drawing here, or divide it into several files"));
+  EXPECT_THAT(
+      to_string(drawn.faults[0], "f.svg"),
+      testing::MatchesRegex(
+          "f.svg:1:[0-9]+: polygon \"hair\" at 0.000 90.000: too many curves lie close "
+          "together to search all of them for crossings: 20000 pairs of curves were compared; "
+          "simplify the drawing here, or divide it into several files"));
 }
 
 TEST(Filling, ALoopWithinTheShapeIsLeftOutToo) {

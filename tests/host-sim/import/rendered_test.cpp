@@ -34,7 +34,7 @@ double outline_px(const Drawing& drawn) {
 /// narrower than any beam.
 double left_out_px(const Drawing& drawn) {
   constexpr double kPxPerMm2 = kPixels * kPixels / 1.0e4;
-  static const std::regex kLoops{"(\\d+) (?:loops? )?of less than .* of ([0-9.]+) mm2"};
+  static const std::regex kLoops{"(\\d+) (?:loops? )?smaller than .* has ([0-9.]+) mm2"};
   double area = 0.0;
   for (const Fault& fault : drawn.faults) {
     std::smatch found;

@@ -143,7 +143,7 @@ TEST(StockFault, NamesRangeAndUnit) {
   EXPECT_EQ(fault_of({5.0, 0.0, 5.0, 1.0, 0.0, -1.0}, 0.05),
             "X of the stock is 5 to 5 mm; the second number must be greater");
   EXPECT_EQ(fault_of({0.0, 0.0, 5.0, 1.0, 0.0, std::nan("")}, 0.05),
-            "Z of the stock is nan to 0 mm; it takes -100000 to 100000 mm");
+            "Z of the stock is nan to 0 mm; it must be within -100000 to 100000 mm");
   EXPECT_EQ(fault_of(kBlock, 0.0), "the stock's cells are 0 mm; they take 0.001 to 10 mm");
   EXPECT_NE(fault_of({0.0, 0.0, 9'000.0, 9'000.0, 0.0, -1.0}, 0.01), "");
   EXPECT_NE(fault_of({0.0, 0.0, 9.0, 9.0, 0.0, -1'001.0}, 0.01), "");

@@ -152,6 +152,17 @@ TEST(Welding, DrivesAHairpinNarrowerThanTheToleranceToItsTip) {
   expect_sound(pen.items, pieces);
 }
 
+// All points are near one line, but the chain extends beyond its start.
+TEST(Welding, DrivesAHairpinBehindTheStartToItsTip) {
+  Pen pen{{.corner_mm = 0.0F, .weld_mm = 0.02F}};
+  for (int i = 0; i < 5; ++i) pen.line({-0.01});
+  for (int i = 0; i < 10; ++i) pen.line({0.01, 0.001});
+  for (int i = 0; i < 50; ++i) pen.line({-0.01});
+  const auto pieces = staged(pen.items);
+  expect_within(pen, pieces, 0.02);
+  expect_sound(pen.items, pieces);
+}
+
 TEST(Welding, CountsTheMiddlesOfChordsToo) {
   for (const int edges : {30, 50, 70, 100, 150}) {
     SCOPED_TRACE(edges);
@@ -239,6 +250,35 @@ void draw_curve_in_space(proof::Random& random, Pen& pen) {
   }
 }
 
+/// Draws lines shorter than most tolerances, many of which turn back.
+void draw_zigzag(proof::Random& random, Pen& pen) {
+  const double step = random.magnitude(0.001, 0.03);
+  const double turn = random.magnitude(0.1, 3.2);
+  double heading = random.between(-3.0, 3.0);
+  const std::size_t count = 10 + random.below(250);
+  for (std::size_t i = 0; i < count; ++i) {
+    heading += random.chance(0.1) ? random.between(-3.2, 3.2) : turn * random.between(-0.2, 0.2);
+    const double length = step * random.between(0.2, 1.0);
+    pen.line({length * std::cos(heading), length * std::sin(heading)});
+  }
+}
+
+/// Draws such lines in space.
+void draw_zigzag_in_space(proof::Random& random, Pen& pen) {
+  const double step = random.magnitude(0.001, 0.03);
+  const double turn = random.magnitude(0.05, 1.0);
+  Place heading{1.0};
+  const std::size_t count = 10 + random.below(250);
+  for (std::size_t i = 0; i < count; ++i) {
+    const double swing = random.chance(0.1) ? 3.0 : turn;
+    for (std::size_t axis = 0; axis < kLinearAxisCount; ++axis) {
+      heading[axis] += swing * random.between(-1.0, 1.0);
+    }
+    heading = sum_of({}, 1.0 / std::sqrt(dot(heading, heading)), heading);
+    pen.line(sum_of({}, step * random.between(0.2, 1.0), heading));
+  }
+}
+
 using Draw = void (*)(proof::Random& random, Pen& pen);
 
 void expect_chains_within_tolerances(Draw draw, const proof::Trials& trials) {
@@ -280,6 +320,16 @@ TEST(RandomChains, StayWithinBothTolerancesBothWays) {
 TEST(RandomChains, InSpaceStayWithinBothTolerancesBothWays) {
   const proof::Trials trials{150};
   expect_chains_within_tolerances(draw_curve_in_space, trials);
+}
+
+TEST(RandomChains, ThatTurnBackStayWithinBothTolerancesBothWays) {
+  const proof::Trials trials{150};
+  expect_chains_within_tolerances(draw_zigzag, trials);
+}
+
+TEST(RandomChains, ThatTurnBackInSpaceStayWithinBothTolerancesBothWays) {
+  const proof::Trials trials{150};
+  expect_chains_within_tolerances(draw_zigzag_in_space, trials);
 }
 
 }  // namespace
