@@ -3,10 +3,11 @@
 Most of its time goes into reading Eigen and the standard library. Therefore one source that
 includes all sources of a layer is checked, if they compile together.
 
-With --changed it checks the files that have changed since the commit in tests/proven. These are all
-files in a clone that lacks that commit.
+With --changed it checks the files that have changed since the last commit that is known to be clean:
+the one in tests/tidy/clean or the one in tests/proven. These are all files in a clone that lacks both
+commits. With --record it writes tests/tidy/clean if there are no findings on a clean tree.
 
-usage: clang_tidy.py CLANG_TIDY CLANG BUILD_FOLDER [--jobs N] [--only REGEX] [--changed]
+usage: clang_tidy.py CLANG_TIDY CLANG BUILD_FOLDER [--jobs N] [--only REGEX] [--changed] [--record]
 """
 import argparse
 import concurrent.futures
@@ -21,7 +22,7 @@ import time
 
 HERE = pathlib.Path(__file__).resolve()
 sys.path[:0] = [str(HERE.parents[1] / "static"), str(HERE.parents[2] / "toolchain/proof")]
-from memory import proven_commit  # noqa: E402
+from memory import commit_named_in, proven_commit  # noqa: E402
 from source_files import ROOT  # noqa: E402
 
 LAYERS = ("planner", "firmware", "hal", "host-sim")
@@ -88,14 +89,38 @@ def commands(build: pathlib.Path) -> dict:
     return sources
 
 
+def git_lines(*command: str) -> list:
+    return subprocess.run(["git", "-c", "safe.directory=*", *command], cwd=ROOT, check=True,
+                          capture_output=True, text=True).stdout.splitlines()
+
+
 def changed_since(commit: str) -> set:
     """Returns the names from the root of all files that differ from the commit, including new
     files."""
-    def lines(*command: str) -> list:
-        return subprocess.run(["git", "-c", "safe.directory=*", *command], cwd=ROOT, check=True,
-                              capture_output=True, text=True).stdout.splitlines()
-    return {*lines("diff", "--name-only", commit),
-            *lines("ls-files", "--others", "--exclude-standard")}
+    return {*git_lines("diff", "--name-only", commit),
+            *git_lines("ls-files", "--others", "--exclude-standard")}
+
+
+def clean_file() -> pathlib.Path:
+    """Returns the file that names the last commit on which all files were clean."""
+    return ROOT / "tests/tidy/clean"
+
+
+def last_clean_commit() -> str:
+    """Returns the known clean commit since which the fewest files have changed; "" if there is none."""
+    known = [commit for commit in (commit_named_in(clean_file()), proven_commit()) if commit]
+    return min(known, key=lambda commit: len(changed_since(commit)), default="")
+
+
+def record() -> None:
+    """Writes the commit that is checked out as a clean one, unless the tree is not clean."""
+    if git_lines("status", "--porcelain"):
+        print("tests/tidy/clean is not written: the tree is not that of a commit")
+        return
+    commit = git_lines("rev-parse", "HEAD")[0]
+    clean_file().write_text("# clang_tidy.py --record wrote this: all files of the commit below are clean.\n"
+                            f"{commit}\n", encoding="utf-8")
+    print(f"tests/tidy/clean names {commit}: commit it")
 
 
 def of_changed(found: dict, changed: set) -> dict:
@@ -119,7 +144,7 @@ class Checker:
     def __init__(self, options: argparse.Namespace, scratch: str):
         self.options, self.scratch = options, pathlib.Path(scratch)
         self.commands = commands(options.build)
-        commit = proven_commit() if options.changed else ""
+        commit = last_clean_commit() if options.changed else ""
         if commit:
             count = len(self.commands)
             self.commands = of_changed(self.commands, changed_since(commit))
@@ -200,9 +225,15 @@ def main() -> int:
     parser.add_argument("--jobs", type=int, default=2)
     parser.add_argument("--only", default="", help="regex on file names")
     parser.add_argument("--changed", action="store_true")
+    parser.add_argument("--record", action="store_true", help="write tests/tidy/clean")
     options = parser.parse_args()
+    if options.record and options.only:
+        parser.error("--record needs a check of all files: leave --only out")
     with tempfile.TemporaryDirectory() as scratch:
-        return run(options, scratch)
+        failed = run(options, scratch)
+    if options.record and not failed:
+        record()
+    return failed
 
 
 if __name__ == "__main__":

@@ -142,6 +142,27 @@ class PlantedFaults(unittest.TestCase):
         self.assertNotIn("old.cpp", output)
         self.assertTrue(status)
 
+    def test_a_recorded_commit_counts_as_clean(self):
+        self.plant(self.root / "planner/old.cpp", "int OldName() { return 1; }\n")
+        proven = self.commit()
+        self.plant(self.root / "planner/new.cpp", "int NewName() { return 1; }\n")
+        (self.root / "tests/tidy").mkdir(parents=True)
+        self.commit()
+        with mock.patch.object(clang_tidy, "ROOT", self.root), contextlib.redirect_stdout(io.StringIO()):
+            clang_tidy.record()
+        _, output = self.check_since(proven)
+        self.assertIn("0 files in 0 groups", output)
+
+    def test_a_tree_with_changes_is_not_recorded(self):
+        (self.root / "tests/tidy").mkdir(parents=True)
+        self.commit()
+        self.plant(self.root / "planner/new.cpp", CLEAN)
+        output = io.StringIO()
+        with mock.patch.object(clang_tidy, "ROOT", self.root), contextlib.redirect_stdout(output):
+            clang_tidy.record()
+        self.assertIn("is not written", output.getvalue())
+        self.assertFalse((self.root / "tests/tidy/clean").exists())
+
     def test_all_files_where_the_proven_commit_is_unknown(self):
         self.plant(self.root / "planner/old.cpp", "int OldName() { return 1; }\n")
         status, output = self.check_since("")

@@ -121,10 +121,16 @@ class Memory:
 
 def proven_commit() -> str:
     """Returns the commit on which prove.sh passed last; "" if this clone lacks it."""
-    if not PROVEN.is_file():
+    return commit_named_in(PROVEN)
+
+
+def commit_named_in(file: pathlib.Path) -> str:
+    """Returns the commit that a file of the clone names; "" if there is no such file, or if the clone
+    lacks the commit."""
+    if not file.is_file():
         return ""
-    names = [line for line in PROVEN.read_text(encoding="utf-8").splitlines()
+    names = [line for line in file.read_text(encoding="utf-8").splitlines()
              if line and not line.startswith("#")]
-    known = subprocess.run(["git", "cat-file", "-e", f"{names[0]}^{{commit}}"], cwd=ROOT,
-                           capture_output=True, check=False)
+    known = subprocess.run(["git", "-c", "safe.directory=*", "cat-file", "-e", f"{names[0]}^{{commit}}"],
+                           cwd=file.parent, capture_output=True, check=False)
     return names[0] if known.returncode == 0 else ""
