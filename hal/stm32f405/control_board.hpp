@@ -71,8 +71,12 @@ class ChipBoard final : public ControlBoard {
     TextRow text{into};
     if (report_.cause == ResetCause::kFault) {
       text.text("Restarted after a fault: ").text(text_of(report_.fault.fault));
-      text.text(" ").number(report_.fault.exception);
-      text.text(" at 0x").hexadecimal(report_.fault.place);
+      if (report_.fault.fault == Fault::kBeam) {
+        text.text(", step timer 0x").hexadecimal(report_.fault.place);
+      } else {
+        text.text(" ").number(report_.fault.exception);
+        text.text(" at 0x").hexadecimal(report_.fault.place);
+      }
     } else if (report_.cause == ResetCause::kWatchdog) {
       text.text("Restarted by the watchdog");
     } else if (report_.cause == ResetCause::kBrownOut) {

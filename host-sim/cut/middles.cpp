@@ -46,12 +46,19 @@ Middles middles_beside(const DrawnEdges& edges, const std::vector<std::size_t>& 
   for (const std::size_t i : contours) {
     rows[is_in_hole(edges, contours, i) ? 1 : 0].push_back(&edges.outlines[i].strokes);
   }
+  const auto is_other_near = [&](const Place& place, double mm) {
+    const auto is_near = [&](const Stroke& stroke) { return distance_to(stroke, place) <= mm; };
+    return std::ranges::any_of(edges.near.owners_near({place, place}, mm), [&](std::size_t i) {
+      return std::ranges::find(contours, i) == contours.end() &&
+             std::ranges::any_of(edges.outlines[i].strokes, is_near);
+    });
+  };
   NarrowLines lines;
   try {
     for (const bool is_in_holes : {false, true}) {
       if (rows[is_in_holes ? 1 : 0].empty()) continue;
       const Contour waste = waste_beside(rows[is_in_holes ? 1 : 0], is_in_holes);
-      append(lines, narrow_lines(waste.view(), half_kerf_mm, max_off_mm));
+      append(lines, narrow_lines(waste.view(), half_kerf_mm, max_off_mm, is_other_near));
     }
   } catch (const std::runtime_error&) {
     return {};

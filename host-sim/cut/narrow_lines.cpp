@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "host-sim/contour/polyline_arcs.hpp"
+#include "host-sim/cut/shared_edges.hpp"
 #include "host-sim/import/piece_sets.hpp"
 #include "host-sim/pocket/medial_axis.hpp"
 #include "host-sim/pocket/owned_area.hpp"
@@ -104,8 +105,12 @@ std::vector<AxisPoint> with_limits(const AxisChain& chain, double least, double 
 /// Finds the narrow stretches of a medial axis and joins them to lines.
 class NarrowFinder {
  public:
-  NarrowFinder(const MedialAxis& axis, double half_kerf_mm, double max_off_mm)
+  NarrowFinder(const MedialAxis& axis,
+               double half_kerf_mm,
+               double max_off_mm,
+               const std::function<bool(const Place&, double)>& is_other_near)
       : axis_{axis},
+        is_other_near_{is_other_near},
         half_{half_kerf_mm},
         min_{std::max(half_kerf_mm - max_off_mm - kNoMore, 0.0)},
         max_{half_kerf_mm * (1.0 - kWideEnough)},
@@ -136,12 +141,14 @@ class NarrowFinder {
   }
   [[nodiscard]] bool is_corner(const Narrow& narrow) const;
   [[nodiscard]] bool is_cut_from_ends(const Narrow& line) const;
+  [[nodiscard]] bool ends_at_other_waste(const Narrow& line) const;
   void add(Narrow line);
   void add_points();
   void add_point(const AxisPoint& point);
   void note(const std::vector<AxisPoint>& points);
 
   const MedialAxis& axis_;
+  const std::function<bool(const Place&, double)>& is_other_near_;
   double half_;
   double min_;  ///< Minimum radius of the waste, mm, for which there is a line.
   double max_;  ///< Radius of the waste, mm, from which on there is no line.
@@ -284,6 +291,12 @@ bool NarrowFinder::is_cut_from_ends(const Narrow& line) const {
   return std::hypot(widest, 0.5 * length_of(line.points)) <= half_;
 }
 
+/// Returns whether a line ends where its waste lies against other waste.
+bool NarrowFinder::ends_at_other_waste(const Narrow& line) const {
+  const AxisPoint& end = line.points.back();
+  return is_other_near_ && is_other_near_(end.place, end.radius + kTouchesMm);
+}
+
 /// Adds a line. Ends that lead nowhere are shortened by the reach of the beam.
 void NarrowFinder::add(Narrow line) {
   if (is_cut_from_ends(line)) return;
@@ -293,7 +306,7 @@ void NarrowFinder::add(Narrow line) {
                              line.to.kind == NarrowEnd::kPath ||
                              (known.kind == NarrowEnd::kNode && has_path_[sets_.find(known.node)]);
   for (int side = 0; side < 2; ++side) {
-    if (line.to.kind == NarrowEnd::kNode && is_free(line.to)) {
+    if (line.to.kind == NarrowEnd::kNode && is_free(line.to) && !ends_at_other_waste(line)) {
       shorten(line.points, half_ - line.points.back().radius);
     }
     turn_round(line);
@@ -352,12 +365,13 @@ void NarrowFinder::note(const std::vector<AxisPoint>& points) {
 
 NarrowLines narrow_lines(const cnc::contour::ContourView<double>& waste,
                          double half_kerf_mm,
-                         double max_off_mm) {
+                         double max_off_mm,
+                         const std::function<bool(const Place&, double)>& is_other_near) {
   const pocket::OwnedArea owned{waste};
   const double tolerance_mm = kMiddleTolerance * half_kerf_mm;
   const MedialAxis axis =
       pocket::medial_axis(owned, {.tolerance_mm = tolerance_mm, .slack_mm = tolerance_mm});
-  return NarrowFinder{axis, half_kerf_mm, max_off_mm}.find();
+  return NarrowFinder{axis, half_kerf_mm, max_off_mm, is_other_near}.find();
 }
 
 }  // namespace sim::cut

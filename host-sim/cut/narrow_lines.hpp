@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <vector>
 
 #include "host-sim/contour/contour_offset.hpp"
@@ -23,12 +24,18 @@ struct NarrowLines {
 ///
 /// Guarantee: a cut along these lines takes no more than `max_off_mm` off an edge, within 0.5 % of
 /// the kerf. A line in the middle of a hole that is about as long as wide may take an eighth of the
-/// kerf more. Throws std::runtime_error with the point if contours cross.
+/// kerf more. A line ends half a kerf before the end of a slot. Where the slot ends at other waste,
+/// the line leads to its end, because parts at both sides would hold together by the corners that
+/// the beam does not reach. Throws std::runtime_error with the point if contours cross.
 /// @param waste closed contours with the waste on their left, which may touch
 /// @param half_kerf_mm above 0
 /// @param max_off_mm above 0; a value of half the kerf or more is no limit
-[[nodiscard]] NarrowLines narrow_lines(const cnc::contour::ContourView<double>& waste,
-                                       double half_kerf_mm,
-                                       double max_off_mm);
+/// @param is_other_near returns whether the outline of other waste is within a distance, mm, of a
+///     point; empty if there is no other waste
+[[nodiscard]] NarrowLines narrow_lines(
+    const cnc::contour::ContourView<double>& waste,
+    double half_kerf_mm,
+    double max_off_mm,
+    const std::function<bool(const Place&, double)>& is_other_near = {});
 
 }  // namespace sim::cut

@@ -106,9 +106,9 @@ PathMark WedgeMarks::mark_on(std::size_t number, const Place& place) const {
 }
 
 bool WedgeMarks::leads_through_waste(const Place& from, const Place& to) const {
-  constexpr int kLooks = 8;
-  for (int k = 1; k <= kLooks; ++k) {
-    const double share = static_cast<double>(k) / kLooks;
+  constexpr int kPlacesPerStroke = 8;
+  for (int k = 1; k <= kPlacesPerStroke; ++k) {
+    const double share = static_cast<double>(k) / kPlacesPerStroke;
     const double apart = near_.nearest(from + share * (to - from)).distance_mm;
     if (apart < kGains * share * half_ - kTouchesMm) return false;
   }

@@ -71,6 +71,14 @@ TEST(ChipBoard, TellsWhatWasWrong) {
                               .exception = 3,
                               .place = 0x0800'2120}});
   EXPECT_EQ("Restarted after a fault: exception 3 at 0x08002120", trouble_of(board));
+  board.set_report({.clocks = kFullSpeed,
+                    .cause = ResetCause::kFault,
+                    .fault = {.mark = FaultRecord::kValid,
+                              .fault = Fault::kBeam,
+                              .exception = 0,
+                              .place = 0xFFFF'FFE0}});
+  EXPECT_EQ("Restarted after a fault: the beam was on at rest, step timer 0xffffffe0",
+            trouble_of(board));
   board.set_report({.clocks = Clocks{}, .cause = ResetCause::kPowerOn});
   EXPECT_EQ("The clock does not reach 168 MHz: nothing will move", trouble_of(board));
 }

@@ -11,6 +11,7 @@
 #include <numbers>
 #include <string>
 
+#include "tests/host-sim/cut/burnt_sheet.hpp"
 #include "tests/host-sim/cut/support.hpp"
 #include "tests/support/random_source.hpp"
 #include "tests/support/trials.hpp"
@@ -77,6 +78,23 @@ TEST(NarrowLines, CrossAtTheMiddleOfACross) {
   for (const Cut& cut : {plan.cuts[0], plan.cuts[1]}) {
     EXPECT_NEAR(length_of(cut.strokes), 10.0 - kTestKerf, 0.05);
     EXPECT_NEAR(drawing::distance(cut.start(), cut.end()), 10.0 - kTestKerf, 0.05);
+  }
+}
+
+/// The beam does not reach the corners of the holes, so the slots must be cut up to these corners.
+TEST(NarrowLines, LeadToTheEndOfASlotAtTheCornerOfAHole) {
+  for (const double gap : {0.001, 0.005, 0.009}) {
+    SCOPED_TRACE(gap);
+    const auto slot_at = [gap](double y) {
+      return fmt::format(
+          R"(<rect x="{}" y="{}" width="{}" height="0.03"/>)", 30.0 + gap, y, 30.0 - 2.0 * gap);
+    };
+    const CutPlan plan = plan_of_svg(plate_with(R"(<rect x="20" y="40" width="10" height="20"/>)"
+                                                R"(<rect x="60" y="40" width="10" height="20"/>)" +
+                                                slot_at(40.0) + slot_at(59.97)),
+                                     kEverything);
+    EXPECT_THAT(plan.faults, IsEmpty());
+    EXPECT_FALSE(BurntSheet{plan}.are_one({45.0, 50.0}, {50.0, 10.0}));
   }
 }
 
