@@ -142,6 +142,19 @@ class PlantedFaults(unittest.TestCase):
         self.assertNotIn("old.cpp", output)
         self.assertTrue(status)
 
+    def test_changes_of_comments_only(self):
+        name, text = "planner/old.cpp", "// Old.\nint OldName() {\n  // One.\n  return 1;  // Two.\n}\n"
+        self.plant(self.root / name, text)
+        commit = self.commit()
+        for same in (text.replace("Old.", "New.\n// And more."), text.replace("One", "Uno"),
+                     text.replace("Two", "Due")):
+            self.plant(self.root / name, same)
+            self.assertIn("0 files in 0 groups", self.check_since(commit)[1])
+        for other in (text.replace("// One.", "// One\n  // and a half."), text.replace("return 1", "return 2"),
+                      text.replace("Two.", "Two. NOLINT"), text.replace("// Old", "// NOLINT")):
+            self.plant(self.root / name, other)
+            self.assertIn("1 files in 1 groups", self.check_since(commit)[1])
+
     def test_a_recorded_commit_counts_as_clean(self):
         self.plant(self.root / "planner/old.cpp", "int OldName() { return 1; }\n")
         proven = self.commit()
