@@ -38,7 +38,7 @@ class PartTree {
     /// Index of the part's first facet in order() if the part is a leaf, else the number of its
     /// node.
     std::array<std::uint32_t, kParts> first;
-    /// Number of facets of a leaf; 0 if `first` is a node.
+    /// Number of facets of a leaf; 0 if `first` is the number of a node.
     std::array<std::uint32_t, kParts> count;
   };
 

@@ -14,7 +14,7 @@ namespace sim::surface {
 /// because the tool touches one of the facets first. A tool with a point or a rim may touch the
 /// edge in a valley. So all edges are tested for such a tool.
 ///
-/// @return for each facet a set of bits; bit i stands for the edge from corner i to the next
+/// @return for each facet a set of bits; bit i stands for the edge from corner i to the next corner
 [[nodiscard]] std::vector<std::uint8_t> tried_edges(const Mesh& mesh, bool tool_is_smooth);
 
 }  // namespace sim::surface

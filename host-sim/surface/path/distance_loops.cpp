@@ -14,7 +14,7 @@ namespace {
 
 using Eigen::Vector2d;
 
-/// The connected parts of an area whose distance from the border exceeds a value.
+/// The connected parts of an area in which the distance from the border exceeds `value_mm`.
 class InnerParts {
  public:
   InnerParts(const DistanceMap& distances, double value_mm)

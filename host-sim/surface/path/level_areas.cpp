@@ -123,8 +123,9 @@ std::vector<ContourVertex> LevelAreas::fitted_to(const LevelCurve& curve) {
   return arcs.empty() || lines.size() < arcs.size() ? lines : arcs;
 }
 
-/// Returns whether `line` may continue with vertex `next`. It may if the line ends there; its last
-/// vertex is then removed. It also may if the tip may go straight to `next`.
+/// Returns whether `line` may continue with vertex `next`. This is the case if the line ends at
+/// `next` or if the tip may go straight to `next`. In the first case, removes the line's last
+/// vertex.
 bool LevelAreas::joins(std::vector<ContourVertex>& line,
                        const ContourVertex& next,
                        const LevelSet& set) const {

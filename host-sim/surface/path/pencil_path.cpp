@@ -26,8 +26,8 @@ double length_of(const CreaseLine& line) {
   return length;
 }
 
-/// Joins lines whose ends are at most `max_mm` apart. A short branch that was left out has divided
-/// such lines.
+/// Joins lines whose ends are at most `max_mm` apart. The lines were divided at a short branch,
+/// which was left out.
 void join_lines(std::vector<CreaseLine>& lines, double max_mm) {
   const auto is_near = [max_mm](const CreasePlace& one, const CreasePlace& other) {
     return (one.place - other.place).norm() <= max_mm;

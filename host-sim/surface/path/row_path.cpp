@@ -74,8 +74,8 @@ class RowPlanner {
     }
   }
 
-  /// Adds all rows. Additional rows between two others come last, because they mill the stock that
-  /// the others have left.
+  /// Adds all rows. Additional rows between two rows come last, because they mill the stock that
+  /// the two rows have left.
   void add_rows() {
     std::vector<RowPart> rows;
     std::vector<RowPart> between;

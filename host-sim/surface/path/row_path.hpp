@@ -56,8 +56,8 @@ struct RowOptions {
   /// rows for scallops.
   double layer_mm = 0.0;
   bool lines_only = false;  ///< Whether to use lines only, without arcs.
-  /// A smooth surface that replaces the exact heights of the tip, for the same points and the tool
-  /// of traced_tool(); null: exact heights. The band of the smooth surface adds to the air below
+  /// Smooth surface that replaces the exact heights of the tip; null: exact heights. It must belong
+  /// to the same points and to the tool that traced_tool() returns. Its band adds to the air below
   /// the path.
   std::shared_ptr<const SmoothTips> smooth;
   /// Callback for progress: called with the finished share of the work, 0 to 1.
