@@ -11,7 +11,7 @@
 namespace sim {
 
 /// Returns the fault for a refused line of the program `text` of a file. If a path that is offset
-/// from the programmed one (G41, G42) cannot be driven, the fault is at the line that programs the
+/// from the programmed path (G41, G42) cannot be driven, the fault is at the line that programs the
 /// motion, because the controller refuses a line up to 16 motions later.
 /// @param beside motion whose offset path could not be driven, if there is one; see beside_path()
 [[nodiscard]] Fault fault_of(const std::string& file,

@@ -11,7 +11,7 @@ namespace sim {
 namespace {
 
 /// Greatest number of pierces for which every pierce has a number, even if this number covers
-/// another one.
+/// another number.
 constexpr std::size_t kMaxAllNumbered = 100;
 /// Width and height of a digit in the font of the picture, as shares of the font size.
 constexpr double kDigitWidth = 0.64;
@@ -61,8 +61,8 @@ double width_of(std::size_t number, const NumberLayout& layout) {
   return kDigitWidth * layout.size_px * digits;
 }
 
-/// Returns the interval between pierces that have a number, so that at most `max_shown` have one:
-/// 1, 2 or 5 times a power of ten.
+/// Returns the interval between pierces that have a number: 1, 2 or 5 times a power of ten. With
+/// this interval, at most `max_shown` pierces have a number.
 std::size_t step_for(std::size_t pierces, std::size_t max_shown) {
   if (pierces <= max_shown) return 1;
   return static_cast<std::size_t>(

@@ -15,7 +15,7 @@ namespace {
 constexpr double kScatteredLength = 0.002;
 constexpr double kScatter = 0.98;
 
-/// Least length of a stretch that is visible as a line. A shorter one is only a dot.
+/// Least length of a stretch that is visible as a line. A shorter stretch is only a dot.
 constexpr double kVisiblePx = 4.0;
 
 double length_mm(const PathVertex& from, const PathVertex& to) {

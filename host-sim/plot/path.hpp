@@ -26,7 +26,7 @@ enum class Shown : std::uint8_t {
 struct PathVertex {
   double x_mm = 0.0;
   double y_mm = 0.0;
-  /// Speed, mm/s (0 for travel); if the picture shows depth or power, that quantity.
+  /// Speed, mm/s (0 for travel). If the picture shows depth or power: depth, mm, or power, 0…1.
   float speed_mm_s = 0.0F;
   Move move = Move::kTravel;
 };

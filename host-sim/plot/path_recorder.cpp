@@ -103,9 +103,9 @@ void PathRecorder::come_to_rest() {
   close_window();
 }
 
-// Converts heights to depths below the highest cut, or below Z0 if a cut is below it. Plunges
-// through air and links above the work look like cuts. Therefore cuts count by their length along X
-// and Y, and the highest hundredth of this length is ignored.
+// Converts heights to depths. They are measured from Z0 if a cut is below Z0, otherwise from the
+// highest cut. Plunges through air and links above the work look like cuts. Therefore cuts count by
+// their length along X and Y, and the highest hundredth of this length is ignored.
 void PathRecorder::measure_depths() {
   constexpr double kLinks = 0.01;
   std::vector<std::pair<float, double>> cuts;  // Height and length of each stretch that is a cut.

@@ -9,7 +9,7 @@ namespace sim::svg {
 
 struct TextStyle {
   double size_px;
-  /// Point of the text that is at the given position: `start`, `middle` or `end`.
+  /// Part of the text that is placed at the given position: `start`, `middle` or `end`.
   std::string_view anchor = "start";
   std::string_view fill = "#222222";
   std::string_view weight = "normal";

@@ -13,7 +13,7 @@ namespace sim::stock {
 enum class Drive : std::uint8_t {
   kFeed,
   kRapid,
-  kJoint,  ///< Position at the joint between a rapid and a feed, which may belong to either.
+  kJoint,  ///< Position at the joint between a rapid and a feed. It may belong to either motion.
 };
 
 /// Program line and kind of the motion to which a stretch belongs.

@@ -162,8 +162,8 @@ class SurfaceComparer {
   }
 
   /// Converts a height above the surface to a distance perpendicular to the surface. For a great
-  /// height, it also checks the surroundings, because the nearest point may be on a wall next to
-  /// the cell.
+  /// height, also checks the surface around the cell, because the nearest point may be on a wall
+  /// next to the cell.
   [[nodiscard]] double square_off(double height_mm,
                                   const CellSurface& surface,
                                   const Eigen::Vector2d& place) {

@@ -48,8 +48,8 @@ class SweptSurface {
   }
   /// Returns whether the path is inclined and leads downwards.
   [[nodiscard]] bool falls() const { return climb_ < 0.0; }
-  /// Returns whether no later pose sweeps the points that ahead_of_start() removes lower than the
-  /// first pose does.
+  /// Returns whether the first pose sweeps the points that ahead_of_start() removes at least as low
+  /// as every later pose.
   [[nodiscard]] bool has_old_rear() const { return !plunges_; }
 
   /// Returns the lowest and the highest Y of the sweep's plan.

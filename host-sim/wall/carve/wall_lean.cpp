@@ -13,8 +13,9 @@ using Eigen::Vector2d;
 
 constexpr double kInDegrees = 180.0 / std::numbers::pi;
 
-/// Distance, in cells, beyond the limit of the search outwards. Columns up to this distance are
-/// included, so that the middle of at least one column is outside the drawn wall.
+/// Distance, in cells, beyond the limit of the search outwards. The search for a carved wall
+/// includes columns up to this distance, so that the middle of at least one column is outside the
+/// drawn wall.
 constexpr double kSightCells = 1.0;
 
 /// A column near a section, and its distance from the wall.
@@ -144,8 +145,8 @@ WallLean fitted(const std::vector<SectionPoint>& points, double cell_mm) {
 
 /// Returns the mean lean of all lines that pass between two columns of the section: the column at
 /// `last_free`, which has no material in the upper half of the wall, and the column at
-/// `first_full`, which is full there. If the section has a point, only lines through its first
-/// point count.
+/// `first_full`, which is full in this half. If the section has a point, only lines through its
+/// first point count.
 std::optional<WallLean> between_columns(const Section& section, const WallPlace& place) {
   const double height = place.high_mm - place.low_mm;
   const double gap = section.last_free - section.first_full;

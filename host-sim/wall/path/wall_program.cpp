@@ -124,8 +124,8 @@ void WallProgram::write_swing(const Eigen::Vector3d& tip,
   text_ += '\n';
 }
 
-/// Returns the feed between two beams, reduced so that the axis turns no faster in time than at the
-/// permitted rate and the full feed.
+/// Returns the feed between two beams. It is reduced if the angular speed of the axis would exceed
+/// the permitted turn per mm times the full feed.
 double WallProgram::feed_of(const TipBeam& from, const TipBeam& to) const {
   const double most = settings_.turn_rate_rad_per_mm * (to.tip - from.tip).norm();
   const double angle = angle_between(from.axis, to.axis);
