@@ -19,8 +19,8 @@ inline constexpr int kTravelExceeded = 15;
 ///
 /// The ends of a homed axis are known, and the path must stay between them. For any other axis only
 /// the extent of the path is checked, because a job that is no larger than the travel fits at some
-/// position. Each axis has at most one fault. It is at the line that first goes too far, and at the
-/// column of the axis word if the line has one.
+/// position. Each axis has at most one fault. The fault is at the line that first goes too far, and
+/// at the column of the axis word if this line has an axis word.
 class TravelCheck {
  public:
   /// Begins a check.

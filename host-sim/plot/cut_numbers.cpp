@@ -72,7 +72,7 @@ std::size_t step_for(std::size_t pierces, std::size_t max_shown) {
 /// Position of a number relative to its pierce, to the right and up, as shares of the size of the
 /// number. kSides lists all positions, beginning with the preferred one.
 struct Side {
-  double right;  ///< −1: to the left of the pierce, 0: in the middle, 1: to the right.
+  double right;  ///< Horizontal position: −1: left of the pierce, 0: in the middle, 1: right of it.
   double up;
 };
 constexpr std::array<Side, 8> kSides{

@@ -10,7 +10,7 @@ namespace {
 constexpr std::int32_t kUncut = std::numeric_limits<std::int32_t>::max();
 
 /// Margin in mm for rounding errors of doubles at coordinates of up to kFarthestStockMm. The tool
-/// is widened by it for lower bounds and narrowed by it for upper bounds.
+/// is widened by this margin for lower bounds, and narrowed by it for upper bounds.
 constexpr double kRoundingMm = 1.0e-9;
 
 /// Returns the greatest whole number that is at most `value`. It avoids std::floor, which would be

@@ -73,7 +73,7 @@ class StepStretches {
   std::optional<Pose> start_;
   StretchOrigin origin_;
   std::vector<Step> steps_;   ///< Steps since the start of the stretch.
-  std::size_t to_check_ = 2;  ///< Number of waiting steps at which settle() checks them next.
+  std::size_t to_check_ = 2;  ///< Number of waiting steps at which settle() next checks their fit.
 };
 
 }  // namespace sim::stock

@@ -11,7 +11,8 @@ namespace {
 
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
 
-/// Mean slope of a part's facets above which only the part's highest point bounds the part.
+/// Mean slope of a part's facets above which the part's plane is horizontal, at the height of its
+/// highest point.
 constexpr double kSteepest = 20.0;
 /// Distance from a ball's axis, relative to its radius, beyond which its tangent is almost
 /// vertical.

@@ -11,10 +11,11 @@ namespace sim::surface::patch {
 /// the tightest.
 enum class FlatnessTest {
   kControlHull,  ///< Bounds are the extremes of the 16 control points.
-  /// Fat plane of paper 4, 4.1: exact extremes of the rows along v, then extremes of their hull
-  /// along u.
+  /// Fat plane of paper 4, 4.1: computes the exact extremes of each row along v. They are the
+  /// coefficients of two curves along u, whose extremes are the bounds.
   kFatPlane,
-  /// Both orders of the fat plane, u after v and v after u. Each bound is the tighter of the two.
+  /// Fat plane in both orders of the parameters, u after v and v after u. Each bound is the tighter
+  /// of the two bounds.
   kBothOrders,
 };
 

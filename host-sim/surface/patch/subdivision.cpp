@@ -17,7 +17,7 @@ using Eigen::Vector3d;
 /// Maximum ratio of the halves' error to the error before the split at which a direction of a split
 /// counts as helpful. The direction with the greater error is tried only if both directions help or
 /// neither does. For a ruled patch, halving the curved parameter leaves a quarter of the error;
-/// halving the straight parameter leaves all of it.
+/// halving the straight parameter leaves the complete error.
 constexpr double kHelpfulShare = 0.9;
 
 /// Part number `index`, counted from 0, of the 2^halvings equal parts of an interval.

@@ -88,7 +88,7 @@ struct SurfaceDistance::Part {
   Interval u;
   Interval v;
   int divisions = 0;
-  double least = 0.0;  ///< Lower bound of the distance to the part.
+  double least = 0.0;  ///< Lower bound of the distance between the searched point and the part, mm.
 
   [[nodiscard]] Part quarter(bool far_u, bool far_v) const {
     const auto half = [](Interval whole, bool far) {

@@ -92,7 +92,8 @@ std::optional<Contour> LevelAreas::contour_at(double level_mm) {
     if (!loop.is_closed) return std::nullopt;
     if (append_loop(loop, set, contour)) continue;
     if (!is_tiny(loop)) return std::nullopt;
-    // A tiny area may be left out. A tiny island must not be left out.
+    // A tiny area may be left out. A tiny island must be kept, because the tip would cut into the
+    // surface there.
     if (area_of(loop.places) < 0.0 && !append_circle(loop, set, contour)) return std::nullopt;
   }
   return contour;

@@ -20,7 +20,7 @@ using Eigen::Vector2d;
 /// Maximum length of a link over the surface, in steps. The path to a row that is farther away
 /// begins with a lift.
 constexpr double kMaxLinkSteps = 4.0;
-/// Share of the progress for finding the parts of rows.
+/// Share of the reported progress that belongs to the search for the parts of rows.
 constexpr double kSearchShare = 0.25;
 
 /// Lays rows over a surface and links them.

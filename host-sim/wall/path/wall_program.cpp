@@ -36,8 +36,8 @@ struct Knot {
   RotaryWords words;
 };
 
-/// Returns whether all axes of the machine move on linearly at `here`, so that this knot can be
-/// left out.
+/// Returns whether all axes of the machine continue their linear motion at `here`, so that this
+/// knot can be left out.
 bool goes_straight_on(const Knot& before, const Knot& here, const Knot& after) {
   constexpr double kSameMm = 1.0e-9;
   constexpr double kSameDeg = 1.0e-7;

@@ -51,7 +51,7 @@ double inner_height(const Profile& tool, double distance_mm, double depth_mm) {
 
 /// Pitch of the raster, relative to the larger tool's radius.
 constexpr double kRasterShare = 1.0 / 32.0;
-/// Number of steps in the table of clearances.
+/// Number of steps in the table of clearances, see clearance_at().
 constexpr int kClearances = 256;
 
 /// Returns the distance between the axes for an index of the table of clearances, as a share of the
