@@ -20,7 +20,7 @@ namespace {
 constexpr std::size_t kMaxWrongChecks = 1000;
 
 /// The parts of one kind that were left out of a program: their number, and a note with the
-/// position of the first one.
+/// position of the first part.
 struct Finding {
   LineNote first{};
   std::size_t count = 0;

@@ -70,7 +70,7 @@ std::size_t step_for(std::size_t pierces, std::size_t max_shown) {
 }
 
 /// Position of a number relative to its pierce, to the right and up, as shares of the size of the
-/// number. kSides lists all positions, beginning with the preferred one.
+/// number. kSides lists all positions, the preferred position first.
 struct Side {
   double right;  ///< Horizontal position: −1: left of the pierce, 0: in the middle, 1: right of it.
   double up;

@@ -7,7 +7,7 @@ namespace sim {
 
 /// The kind of motion of a stretch of the path, which decides how the stretch is drawn.
 enum class Move : std::uint8_t {
-  kTravel,  ///< Rapid. Also motion with the beam off that is not known to be a feed.
+  kTravel,  ///< Rapid, or motion with the beam off that is not known to be a feed.
   kFeed,    ///< Feed with beam or spindle off.
   kCut,     ///< Feed with beam or spindle on.
 };

@@ -15,8 +15,8 @@ namespace {
 constexpr std::size_t kColours = 32;
 
 /// Builds the attribute `d` of one <path>. The start of a polyline has absolute coordinates and its
-/// stretches have relative ones, both in integer units. Relative numbers save digits, and integers
-/// prevent the accumulation of rounding errors.
+/// stretches have relative coordinates, both in integer units. Relative numbers save digits, and
+/// integers prevent the accumulation of rounding errors.
 class PathData {
  public:
   void add_stretch(const PathVertex& from, const PathVertex& to, double unit_mm) {

@@ -60,7 +60,7 @@ void PathRecorder::on_end(std::uint64_t time_ns) {
   path_.duration_s = 1e-9 * static_cast<double>(time_ns);
 }
 
-// Returns the kind of the motion from the last row to the present one. The output of the last row
+// Returns the kind of the motion from the last row to the present row. The output of the last row
 // was in effect during this motion.
 Move PathRecorder::move_of_stretch() const {
   if (is_rapid_.value_or(false)) return Move::kTravel;

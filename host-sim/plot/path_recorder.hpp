@@ -71,7 +71,7 @@ class PathRecorder final : public TraceSink {
   Shown shown_;
   std::optional<bool> is_rapid_;
   Position position_{};             ///< Position in the last row.
-  float duty_ = 0.0F;               ///< Output since the last row.
+  float duty_ = 0.0F;               ///< Output of beam or spindle since the last row, 0…1.
   Move last_move_ = Move::kTravel;  ///< Kind of the stretch that ended at the last row.
   bool has_started_ = false;
   SpeedWindow window_;

@@ -71,7 +71,7 @@ void PlanRegion::fill_row(const std::vector<Ring>& rings, int row) {
   }
 }
 
-/// Marks every cell that a piece of a ring touches. In each row, these are the cells from the
+/// Marks every cell that a piece of a ring touches. In each row, a piece touches the cells from the
 /// lowest to the highest X of the piece within the row.
 void PlanRegion::mark_edge(const std::array<double, 2>& from, const std::array<double, 2>& to) {
   const double bottom = stock_.box().y_min + first_row_ * grid_.cell_y_mm;

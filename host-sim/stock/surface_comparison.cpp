@@ -91,7 +91,8 @@ class WorstOfParts {
     if (std::abs(place.off_mm) > std::abs(worst.off_mm)) worst = place;
   }
 
-  /// Returns the greatest deviations in descending order. They are at least `apart_mm` apart.
+  /// Returns the greatest deviations in descending order. Their distance from each other is at
+  /// least `apart_mm`.
   [[nodiscard]] std::vector<WorstPlace> worst(double apart_mm) const {
     std::vector<WorstPlace> sorted = worst_;
     std::ranges::sort(sorted, std::ranges::greater{}, [](const WorstPlace& place) {

@@ -103,9 +103,9 @@ class SweptSurface {
   void fill_table();
   [[nodiscard]] double bound_of_lead() const;
   /// Returns the pose at an end of the path if it alone determines the heights around (x, y). This
-  /// is true if it sweeps all swept points within `margin_mm` of (x, y) lowest. It is also true for
-  /// the lower end if it sweeps (x, y) with the flat of the tool, because no point is swept lower.
-  /// Returns null if other poses may determine the heights.
+  /// is the case if no other pose sweeps a point within `margin_mm` of (x, y) lower. It is also the
+  /// case for the lower end if this pose sweeps (x, y) with the flat of the tool, because no point
+  /// is swept lower. Returns null if other poses may determine the heights.
   [[nodiscard]] const Pose* sole_pose(double x, double y, double margin_mm) const {
     const double rx = x - low_.x_mm;
     const double ry = y - low_.y_mm;

@@ -85,7 +85,8 @@ class XyzTableReader {
   void choose_columns(const XyzFields& fields) {
     width_ = fields.count;
     labelled_ = !dialect_.number(fields.fields[0]).has_value();
-    // A header with another number of fields than the points does not name the points' fields.
+    // If the header and the points have different numbers of fields, the header does not name the
+    // points' fields.
     if (header_ && header_fields_ != width_) header_.reset();
     if (header_) {
       columns_ = *header_;

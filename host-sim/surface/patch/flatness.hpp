@@ -28,8 +28,8 @@ struct FatPlane {
 };
 
 /// Returns the unit normal of the patch's diagonals, (V33 − V00) × (V30 − V03). If the diagonals
-/// are parallel or 0, returns the unit normal of the derivatives in the middle of the patch. If
-/// these are parallel or 0, too, returns +Z.
+/// are parallel or 0, returns the unit normal of the derivatives in the middle of the patch. If the
+/// derivatives are parallel or 0, too, returns +Z.
 [[nodiscard]] Eigen::Vector3d normal_of(const BezierPatch& patch);
 
 /// Returns a fat plane that contains the complete patch.

@@ -158,7 +158,8 @@ void SurfaceDistance::search_patch(std::uint32_t number, Search& search) const {
     std::pop_heap(search.open.begin(), search.open.end());
     const Part part = search.open.back();
     search.open.pop_back();
-    // The lower bounds of all remaining parts are at least as great.
+    // The lower bound of each remaining part is at least part.least, so that no part contains a
+    // nearer point.
     if (part.least > search.bound()) return;
     for (const bool far_u : {false, true}) {
       for (const bool far_v : {false, true}) search.add(number, part.quarter(far_u, far_v));

@@ -146,7 +146,7 @@ class CreaseDrawer {
   double tolerance_mm_;
 };
 
-/// Plans the path along lines. The nearest line is always the next one.
+/// Plans the path along lines. The nearest remaining line always comes next.
 class PencilDriver {
  public:
   PencilDriver(const Mesh& mesh, const RowOptions& options)

@@ -128,9 +128,9 @@ class RowPlanner {
     }
   }
 
-  /// Mills parts of rows. Without a milling direction, begins at the lowest row, and the nearest
-  /// part is always next. With a direction, mills row by row: upwards for conventional milling,
-  /// downwards for climb milling.
+  /// Mills parts of rows. Without a milling direction, begins at the lowest row and always
+  /// continues with the nearest part. With a direction, mills row by row: upwards for conventional
+  /// milling, downwards for climb milling.
   void mill(std::vector<RowPart> parts) {
     const bool is_climb = options_.direction == cnc::pocket::Milling::kClimb;
     PartQueue queue{std::move(parts)};

@@ -36,17 +36,17 @@ struct RowOptions {
   /// Maximum scallop, > tolerance; 0: no limit. The scallop is the height of the stock between
   /// rows, perpendicular to the surface, without the stock that the tool would also leave if it
   /// went everywhere. Where the surface is steep across the rows, up to 127 rows are added between
-  /// two others.
+  /// two neighbouring rows.
   double scallop_mm = 0.0;
   double angle_rad = 0.0;  ///< Angle from +X to the rows, counter-clockwise.
   double margin_mm = 0.0;  ///< Distance by which rows extend beyond the surface's box in plan.
-  /// Lowest height of the tip, and its height where nothing is under the tool. Without a floor,
-  /// rows end where nothing is under the tool.
+  /// Lowest height of the tip; also the tip's height where nothing is under the tool. Without a
+  /// floor, rows end where nothing is under the tool.
   std::optional<double> floor_mm;
   RowOrder order = RowOrder::kZigzag;
-  /// Climb or conventional milling: the side of a line on which the stock for later lines is. With
-  /// a value, all rows go in the same direction. Without a value, rows may go in both directions,
-  /// and lines of constant height or distance are climb milled.
+  /// Climb or conventional milling. It determines the side of a line on which the stock for later
+  /// lines is. With a value, all rows go in the same direction. Without a value, rows may go in
+  /// both directions, and lines of constant height or distance are climb milled.
   std::optional<cnc::pocket::Milling> direction;
   MilledRegions regions;  ///< Regions to which the path is limited.
   /// Top of the stock; without a value, the highest point of the surface.

@@ -100,7 +100,7 @@ void add_points(const Columns& columns,
 }
 
 /// Returns the section through a carved wall at `place`.
-/// @param near columns near the section, the outermost one first
+/// @param near columns near the section, the outermost column first
 Section section_of(const Columns& columns,
                    const std::vector<NearColumn>& near,
                    const WallPlace& place) {

@@ -114,8 +114,8 @@ void WallProgram::write_move(const char* motion, const Vector3d& tip, const Rota
   if (!line.empty()) text_ += motion + line;
 }
 
-/// Turns C with the beam off and upright to the angle that the next leaning beam requires. This is
-/// necessary if there was no upright stretch on which C could turn.
+/// Turns C to the angle that the next leaning beam requires, with the beam off and upright. This
+/// motion is necessary if there was no upright stretch on which C could turn.
 void WallProgram::write_swing(const Eigen::Vector3d& tip,
                               const RotaryWords& from,
                               const RotaryWords& to) {

@@ -106,7 +106,7 @@ RestRegion::RestRegion(const Mesh& mesh, const Profile& tool, const RestOptions&
 }
 
 /// Returns whether the tool at `place` reaches rest stock. Checks the points of the reduced tool,
-/// first the point `memory`, at which the last call found stock.
+/// beginning with the point of index `memory`, at which the last call found stock.
 bool RestRegion::holds(const Vector2d& place, std::size_t& memory) const {
   const std::optional<Vector2d> rise = heights_.rise(place);
   if (!rise) return false;
