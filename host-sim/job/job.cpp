@@ -37,9 +37,9 @@ namespace sim {
 namespace {
 
 /// Returns the greatest distance, in mm, between the tool and its planned position that shapers and
-/// play may cause. If a plan keeps within the acceleration of an axis, a shaper moves the position
-/// of the axis by at most half of the acceleration times the variance of the delays of its
-/// impulses.
+/// play may cause. A shaper moves the position of an axis by at most half of the acceleration times
+/// the variance of the delays of its impulses. The plan must keep within the acceleration of the
+/// axis.
 double allowed_for_motors(const cnc::Settings& settings) {
   const cnc::motion::MotorStageSetting stage = cnc::motor_stage_from(settings);
   double sum = 0.0;

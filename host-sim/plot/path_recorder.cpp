@@ -10,8 +10,8 @@
 namespace sim {
 namespace {
 
-/// Greatest number of rows in a window. It bounds a window in which the path makes no progress, for
-/// example because a motor moves to and fro.
+/// Greatest number of rows in a window. The limit ends a window in which the path makes no
+/// progress, for example because a motor moves to and fro.
 constexpr std::size_t kMaxSamples = 4'096;
 
 /// Number of steps into which the greatest speed is divided. Speeds that differ by less than a step

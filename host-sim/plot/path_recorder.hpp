@@ -16,10 +16,10 @@ namespace sim {
 /// Collects the path for a picture from the rows of the trace, in bounded memory.
 ///
 /// Rows are collected over windows of some milliseconds, over which the speed is measured.
-/// PathSimplifier then thins the path, with a tolerance of 0.01 mm or two motor steps, whichever is
-/// greater, and of a 64th of the greatest speed. A path with more than `kMaxVertices` vertices is
-/// thinned again with twice the distance tolerance, so that memory and picture are bounded. Even
-/// such a path is much finer than the picture.
+/// PathSimplifier then thins the path. Its distance tolerance is the greater of 0.01 mm and two
+/// motor steps. Its speed tolerance is a 64th of the greatest speed. A path with more than
+/// `kMaxVertices` vertices is thinned again with twice the distance tolerance, so that memory and
+/// picture are bounded. Even such a path is much finer than the picture.
 class PathRecorder final : public TraceSink {
  public:
   /// Greatest number of vertices. A path with this number of vertices takes about 1.5 MB of SVG.

@@ -61,8 +61,8 @@ class SweptSurface {
   /// `extra_mm`.
   [[nodiscard]] std::optional<Interval> extent_at(double y, double extra_mm) const;
   /// Removes points behind the start from an extent at `y`. A removed point is more than `extra_mm`
-  /// behind the start, and more than `extra_mm` behind all points that a later pose sweeps lower
-  /// than the first pose does. The result may be empty.
+  /// behind the start. It is also more than `extra_mm` behind all points that a later pose sweeps
+  /// lower than the first pose. The result may be empty.
   [[nodiscard]] Interval ahead_of_start(Interval extent, double y, double extra_mm) const;
 
   /// Returns the height over a point; kNowhere outside of the plan. The table of poses may make the

@@ -14,7 +14,8 @@ constexpr double kThinPx = 0.1;
 /// Depth by which a surface may be in front of a line without hiding it. It is not 0, because lines
 /// are in surfaces or slightly off them.
 constexpr double kSlackPx = 4.0;
-/// Greatest number of points of a part that one chord may replace. It bounds the time.
+/// Greatest number of points of a part that one chord may replace. The limit bounds the computing
+/// time.
 constexpr std::size_t kMaxReplaced = 64;
 
 double distance_px(const SeenPoint& point, const SeenPoint& from, const SeenPoint& to) {

@@ -144,10 +144,10 @@ class CurveFollower {
     return above >= -error && leaves_little(jet.place, to_low);
   }
 
-  /// Returns whether a point on the low side is near enough to the line. It is near enough if a
-  /// tool at the point leaves at most a layer of the permitted error of the material that a tool on
-  /// the line would remove. The height of the tip is not a sufficient criterion, because a flat
-  /// bottom is at the level at any distance from a wall.
+  /// Returns whether a point on the low side is near enough to the line. Of the material that a
+  /// tool on the line would remove, a tool at the point may leave at most a layer of the permitted
+  /// error. The height of the tip is not a sufficient criterion, because a flat bottom is at the
+  /// level at any distance from a wall.
   [[nodiscard]] bool leaves_little(const Vector2d& place, const Vector2d& to_low) const {
     constexpr double kReach = 32.0;
     const double error = 0.5 * density_.error_mm;

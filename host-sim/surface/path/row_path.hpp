@@ -34,9 +34,9 @@ struct RowOptions {
   /// Maximum distance between rows in plan; with a scallop limit, it may be 0: no limit.
   double step_mm = 0.5;
   /// Maximum scallop, > tolerance; 0: no limit. The scallop is the height of the stock between
-  /// rows, perpendicular to the surface, without the stock that the tool would also leave if it
-  /// went everywhere. Where the surface is steep across the rows, up to 127 rows are added between
-  /// two neighbouring rows.
+  /// rows, perpendicular to the surface. It excludes stock that the tool would leave even with
+  /// arbitrarily close rows. Where the surface is steep across the rows, up to 127 rows are added
+  /// between two neighbouring rows.
   double scallop_mm = 0.0;
   double angle_rad = 0.0;  ///< Angle from +X to the rows, counter-clockwise.
   double margin_mm = 0.0;  ///< Distance by which rows extend beyond the surface's box in plan.

@@ -47,10 +47,10 @@ ScallopRows::ScallopRows(const SurfaceTracer& tracer,
       // continuous motion only slightly.
       look_mm_{std::min(0.125 * tool.radius_mm, std::sqrt(0.24 * tool.radius_mm * scallop_mm))} {}
 
-/// Two rows and the lines between them at which the stock is checked, with the heights of the tip
-/// at equal distances along each row and line. A ball leaves the most stock half way between the
-/// rows, so that one line is enough. A tool with a flat bottom needs more lines, because it touches
-/// at other points.
+/// Two rows, the lines between them at which the stock is checked, and the heights of the tip at
+/// equal distances along rows and lines. A ball leaves the most stock half way between the rows, so
+/// that one line is enough. A tool with a flat bottom needs more lines, because it touches at other
+/// points.
 class ScallopRows::Strip {
  public:
   Strip(const ScallopRows& rows, const Gap& gap)

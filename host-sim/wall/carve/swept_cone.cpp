@@ -25,8 +25,8 @@ std::optional<HeightRange> roots_of(double a, double b, double c) {
   }
   const double square = b * b - a * c;
   if (square < 0.0 && a > 0.0) return {};
-  // For a line through the apex of a cone, the polynomial has a double root. Rounding may make the
-  // discriminant `square` negative. It then counts as 0.
+  // For a line through the apex of a cone, the polynomial has a double root. If rounding makes the
+  // discriminant `square` negative, it counts as 0.
   const double sum = -(b + std::copysign(std::sqrt(std::max(0.0, square)), b));
   const double near = sum == 0.0 ? 0.0 : c / sum;
   return HeightRange{std::min(near, sum / a), std::max(near, sum / a)};

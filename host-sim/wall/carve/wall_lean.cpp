@@ -13,9 +13,8 @@ using Eigen::Vector2d;
 
 constexpr double kInDegrees = 180.0 / std::numbers::pi;
 
-/// Distance, in cells, beyond the limit of the search outwards. The search for a carved wall
-/// includes columns up to this distance, so that the middle of at least one column is outside the
-/// drawn wall.
+/// Distance, in cells, beyond the limit of the search outwards. Columns up to this distance are
+/// included in the search, so that the middle of at least one column is outside the drawn wall.
 constexpr double kSightCells = 1.0;
 
 /// A column near a section, and its distance from the wall.

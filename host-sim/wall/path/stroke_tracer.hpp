@@ -35,7 +35,7 @@ struct TurnRules {
 ///
 /// Tips are at the ends of all sides of the stroke. Between the ends, their spacing is as small as
 /// the rotation of the axis requires. If the axis of least tilt turns too fast at a point, the axes
-/// before and after this point lean more, as long as their beams clear the part. If walls leave no
+/// before and after this point lean more. Their beams must still clear the part. If walls leave no
 /// space for more lean, the axis turns faster. If the axis jumps, the run ends, and the axis turns
 /// with the beam off. The next run begins within twice kGapMm.
 class StrokeTracer {
