@@ -45,7 +45,7 @@ struct PocketFigures {
   /// not counted.
   VolumeBounds rest;
   HeightPeak tallest_rest;
-  /// The tallest rest in a cell that the tool has cut, which is thus left between passes.
+  /// The tallest rest in a cell that the tool has cut. Such a rest is left between passes.
   HeightPeak tallest_scallop;
 };
 

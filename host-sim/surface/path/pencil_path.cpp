@@ -127,8 +127,8 @@ class CreaseDrawer {
     return fine;
   }
 
-  /// Returns a point of the line. At a wall, it is moved by half the tolerance to the low side, so
-  /// that chords stay on the low side.
+  /// Returns a point of the line. At a wall, the point is moved by half the tolerance to the low
+  /// side, so that chords stay on the low side.
   [[nodiscard]] Vector2d shifted(const CreaseLine& line, std::size_t index) const {
     const Vector2d& place = line[index].place;
     if (!line[index].is_wall) return place;

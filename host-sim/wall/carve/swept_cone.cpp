@@ -12,7 +12,8 @@ using Eigen::Vector3d;
 constexpr double kEndlessMm = std::numeric_limits<double>::infinity();
 
 /// Returns the lower and the upper root of a x² + 2 b x + c. If a is 0, returns the range in which
-/// the polynomial is at most 0. Returns nothing if there is no root or no range.
+/// the polynomial is at most 0. Returns nothing if a > 0 and there is no root, or if a is 0 and
+/// there is no range.
 std::optional<HeightRange> roots_of(double a, double b, double c) {
   if (a == 0.0) {
     if (b == 0.0 && c > 0.0) return {};
