@@ -10,9 +10,9 @@
 
 namespace sim {
 
-/// Returns the fault for a refused line of the program `text` of a file. If a path that is offset
-/// from the programmed one (G41, G42) cannot be driven, the fault is at the line that programs the
-/// motion, because the controller refuses a line up to 16 motions later.
+/// Returns the fault for a refused line of the program `text` of a file. The controller refuses an
+/// offset path (G41, G42) that cannot be driven only at a line up to 16 motions later. The fault is
+/// then at the line that programs the motion.
 /// @param beside motion whose offset path could not be driven, if there is one; see beside_path()
 [[nodiscard]] Fault fault_of(const std::string& file,
                              const Refusal& refusal,

@@ -37,9 +37,9 @@ namespace sim {
 namespace {
 
 /// Returns the greatest distance, in mm, between the tool and its planned position that shapers and
-/// play may cause. If a plan keeps within the acceleration of an axis, a shaper moves the position
-/// of the axis by at most half of the acceleration times the variance of the delays of its
-/// impulses.
+/// play may cause. A shaper moves the position of an axis by at most half of the acceleration times
+/// the variance of the delays of its impulses. The plan must keep within the acceleration of the
+/// axis.
 double allowed_for_motors(const cnc::Settings& settings) {
   const cnc::motion::MotorStageSetting stage = cnc::motor_stage_from(settings);
   double sum = 0.0;
@@ -97,8 +97,8 @@ void add_measured(const MotionMeter& meter, Report& report) {
   }
 }
 
-/// Adds the bounds of the positions of the tool, not those of the motors, which move farther to
-/// take up play.
+/// Adds the bounds of the positions of the tool. The bounds of the motors would be wider, because
+/// motors move farther to take up play.
 void add_bounds(const ToolTrace& tool, const cnc::Settings& settings, Report& report) {
   const auto steps = steps_per_mm<double>(settings);
   for (std::size_t axis = 0; axis < cnc::kAxisCount; ++axis) {
@@ -126,8 +126,8 @@ EnergyMeter::Options beam_of(Simulator& simulator) {
 }
 
 /// Returns whether the light is at the position at which the output of the beam is on. If delays
-/// are set, the light is at another position, and the reaction of the real machine is not known
-/// here. With shapers or backlash, the times of positions differ from those of the plan.
+/// are set, the light is at another position, and the time in which the real beam reacts is not
+/// known here. With shapers or backlash, the times of positions differ from those of the plan.
 bool lights_at_once(const cnc::Settings& settings) {
   const auto zero = [&settings](std::uint16_t number) { return settings.get(number) == 0.0F; };
   return !zero(cnc::setting::kLaserMode) && zero(cnc::setting::kBeamOnDelay) &&
@@ -135,8 +135,8 @@ bool lights_at_once(const cnc::Settings& settings) {
          zero(cnc::setting::kRotaryAxes) && allowed_for_motors(settings) <= 0.0;
 }
 
-/// Measures the energy of the light for each millimetre of the driven path. A rounded corner is
-/// shorter than the programmed one.
+/// Measures the energy of the light for each millimetre of the driven path. The driven path is used
+/// instead of the programmed path, because a rounded corner is shorter than the programmed corner.
 class BeamMeter {
  public:
   BeamMeter(const ProgrammedPath& programmed, Simulator& simulator)
@@ -156,8 +156,8 @@ class BeamMeter {
   }
 
  private:
-  /// Threshold of PathDeviation for the excess of an axis, mm. It is infinite, because no excess is
-  /// to be found.
+  /// Threshold of PathDeviation for the excess of an axis, mm. It is infinite, because BeamMeter
+  /// does not search for excesses.
   static constexpr double kNoExcess = std::numeric_limits<double>::infinity();
 
   ProgrammedPath path_;

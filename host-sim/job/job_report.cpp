@@ -18,8 +18,8 @@ namespace {
 /// Grbl's error number for a line that is no G-code.
 constexpr int kUnreadable = 1;
 
-/// Greatest ratio of a set rate to the rate that the motor reaches, up to which the set rate counts
-/// as reached.
+/// Greatest ratio of a set rate to the rate that the motor reaches at which the set rate counts as
+/// reached.
 constexpr double kNoLess = 1.001;
 
 /// Returns whether a text consists only of blanks and control bytes, apart from a byte order mark

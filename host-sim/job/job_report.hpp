@@ -35,9 +35,9 @@ namespace sim {
                                const std::optional<RefusedBeside>& beside,
                                std::string_view text);
 
-/// Adds a warning for each axis whose motor does not reach its rate ($110 to $115), because the
-/// step pulses ($0) and the step interrupt take too much time for that step rate. Adds no warnings
-/// if the job names no settings.
+/// Adds a warning for each axis whose motor does not reach its rate ($110 to $115). The reason is
+/// that the step pulses ($0) and the step interrupt take too much time for this step rate. Adds no
+/// warnings if the job names no settings.
 void warn_of_step_rates(const Job& job, const cnc::Settings& settings, Report& report);
 
 void warn(const Job& job, const std::vector<LineNote>& notes, Report& report);

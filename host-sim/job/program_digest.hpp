@@ -47,7 +47,8 @@ struct ProgramDigest {
 /// The files that may be read to check whether they have changed.
 enum class DigestFiles : std::uint8_t {
   kAny,  ///< All files that the program names.
-  /// Only files below the folder. For a program that was received from another computer.
+  /// Only files below the folder of the program. This value is for a program that was received from
+  /// another computer.
   kBelowFolder,
 };
 

@@ -14,7 +14,7 @@ namespace sim {
 class ProgramMarks {
  public:
   /// Reads the next line, which must not begin with a blank. Returns a note if the line is the
-  /// first one that another controller would not drive, or would drive only on request.
+  /// first line that another controller would not drive, or would drive only on request.
   [[nodiscard]] std::optional<std::string> take(std::size_t line, std::string_view text);
 
  private:

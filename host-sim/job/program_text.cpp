@@ -20,7 +20,7 @@ namespace {
 constexpr std::size_t kMaxWrongChecks = 1000;
 
 /// The parts of one kind that were left out of a program: their number, and a note with the
-/// position of the first one.
+/// position of the first part.
 struct Finding {
   LineNote first{};
   std::size_t count = 0;
@@ -130,8 +130,8 @@ class Preparation {
     return shown + " is a command that acts immediately: it is left out of the program";
   }
 
-  /// Replaces the character at `at` by blanks if a controller would not take it as it is. Returns
-  /// the number of bytes of the character after the first one.
+  /// Replaces the character at index `at` by blanks if a controller would not accept the character
+  /// unchanged. Returns the number of bytes of the character after the first one.
   std::size_t pass_high(std::span<char> line, std::size_t at) {
     const auto byte = static_cast<unsigned char>(line[at]);
     if (is_continuation(byte)) {

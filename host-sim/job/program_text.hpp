@@ -10,7 +10,7 @@ namespace sim {
 /// A note or fault about a line of a program, for the user.
 struct LineNote {
   std::size_t line = 0;    ///< Number of the line, from 1.
-  std::size_t column = 0;  ///< Column, from 1; 0 if the note concerns the whole line.
+  std::size_t column = 0;  ///< Column, from 1; 0 if the note concerns the complete line.
   std::string text;
 };
 

@@ -50,7 +50,8 @@ ProgramWatch::ProgramWatch(const cnc::Settings& settings)
   }
 }
 
-/// Most lines have only axis words. This check avoids the cost of taking them apart.
+/// Most lines have only axis words. A check for other letters avoids the cost of dividing such
+/// lines into words.
 void ProgramWatch::take(std::size_t line, std::string_view text) {
   const std::size_t front = text.find_first_not_of(" \t");
   if (front == std::string_view::npos) return;
@@ -157,8 +158,8 @@ void ProgramWatch::check_feed(const PathPiece& piece) {
   }
 }
 
-/// Adds a note if the light ends without a motion since it began, for example light for a focus
-/// dot.
+/// Ends the light. Adds a note if there was no motion since the light began, as with light for a
+/// focus dot.
 void ProgramWatch::go_dark() {
   if (lit_line_ != 0) {
     note(lit_line_, "M3 is on here and off again without a motion: nothing burns at rest");

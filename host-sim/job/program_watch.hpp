@@ -17,8 +17,8 @@ namespace sim {
 /// above $110…$115, light at rest under M3, and soft limits on a machine that was not homed.
 ///
 /// take() must be called with each line that the controller accepts, and put() with the pieces of
-/// the path, after the line to which they belong. Of each kind, the first occurrence of each value
-/// is noted, for at most kMaxNotes values.
+/// the path, after the line to which they belong. For each kind of fault, the first occurrence of
+/// each value is noted, for at most kMaxNotes values.
 class ProgramWatch {
  public:
   static constexpr std::size_t kMaxNotes = 100;

@@ -27,7 +27,7 @@ struct SettingChange {
 [[nodiscard]] std::vector<SettingChange> read_settings_file(const std::string& file);
 
 /// Applies settings to a machine. Throws std::invalid_argument, with the place where the setting
-/// was written, for the first one that the machine refuses.
+/// was written, for the first setting that the machine refuses.
 /// @pre machine.idle()
 void apply_settings(const std::vector<SettingChange>& changes, cnc::Machine& machine);
 

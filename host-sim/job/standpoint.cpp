@@ -33,7 +33,8 @@ Standpoint standpoint_of(const cnc::Machine& machine) {
   Standpoint standpoint{
       .settings = machine.settings(), .reader = machine.interpreter(), .homed = machine.homed()};
   cnc::gcode::Options options = standpoint.reader.options();
-  // The kerf tables belong to the machine and may change, so the copy must not refer to them.
+  // The kerf tables belong to the machine and may change, so that the copied interpreter must not
+  // refer to them.
   options.kerf = nullptr;
   standpoint.reader.set_options(options);
   static_cast<void>(

@@ -23,8 +23,8 @@ struct Standpoint {
 
 [[nodiscard]] Standpoint standpoint_of(const cnc::Machine& machine);
 
-/// Returns the standpoint of a machine of which only the settings are known. It is at zero, and all
-/// modes and offsets have their default values.
+/// Returns the standpoint of a machine of which only the settings are known. Its position is zero,
+/// and all modes and offsets have their default values.
 [[nodiscard]] Standpoint standpoint_of(const cnc::Settings& settings);
 
 /// Returns a length in mm, or an angle in degrees, rounded to a double.

@@ -37,7 +37,7 @@ struct StockWish {
 ///
 /// A step is attributed to the line of the piece at which the follower of the path is. The follower
 /// may be a few steps late, and corners may be rounded. Therefore steps near the joint of a rapid
-/// and a feed may belong to either.
+/// and a feed may be attributed to either motion.
 class StockRun final : public TraceSink {
  public:
   /// Greatest distance between the steps and the straight stretches into which they are combined,

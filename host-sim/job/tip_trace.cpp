@@ -30,8 +30,8 @@ FiveAxisMachine described(const cnc::Settings& settings) {
 
 void TipTrace::on_row(const TraceRow& row) {
   const cnc::kinematics::ToolCentre& centre = machine_.motion().tool_centre();
-  // After the end of G43.4, the tool stays leaning until the axes move, so the position of its tip
-  // still counts.
+  // After the end of G43.4, the tool stays leaning until the axes move. Until then, the trace still
+  // contains the position of the tip.
   const bool stands = model_ && row.position == last_;
   if (!centre.active() && !stands) {
     model_.reset();

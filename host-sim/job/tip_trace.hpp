@@ -12,7 +12,7 @@
 namespace sim {
 
 /// Computes the trace of the tool tip relative to the part, while G43.4 is active and rotary axes
-/// lean the tool. At other times it passes on the trace of the axes unchanged. The added sinks
+/// lean the tool. At other times, it passes on the trace of the axes unchanged. The added sinks
 /// receive rows in whole steps, and the meter of the path deviation receives exact positions.
 class TipTrace final : public TraceSink {
  public:

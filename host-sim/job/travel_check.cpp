@@ -12,8 +12,8 @@
 namespace sim {
 namespace {
 
-/// Excess over the travel that is allowed, because the decimals of a job as large as the travel are
-/// rounded, mm.
+/// Excess over the travel that is allowed, mm. It allows for rounded decimals in a job that is as
+/// large as the travel.
 constexpr double kSlackMm = 1.0e-6;
 
 /// Distance by which the controller lets a rounded circle exceed the ends of a homed axis.

@@ -17,10 +17,10 @@ inline constexpr int kTravelExceeded = 15;
 /// Checks the path of a program against the travel of each axis ($130…$135; 0 stands for an endless
 /// axis), even if soft limits ($20) are off.
 ///
-/// The ends of a homed axis are known, and the path must stay between them. For any other axis only
-/// the extent of the path is checked, because a job that is no larger than the travel fits at some
-/// position. Each axis has at most one fault. It is at the line that first goes too far, and at the
-/// column of the axis word if the line has one.
+/// The ends of a homed axis are known, and the path must stay between them. For any other axis,
+/// only the extent of the path is checked: a job that is no larger than the travel fits at some
+/// position. Each axis has at most one fault. The fault is at the line that first goes too far, and
+/// at the column of the axis word if this line has an axis word.
 class TravelCheck {
  public:
   /// Begins a check.

@@ -47,8 +47,8 @@ void add_growing(std::string& out,
                  time.attributes());
 }
 
-/// Returns simplified path data of a cut whose details are too small to be visible, or that has too
-/// many strokes.
+/// Returns simplified path data of a cut, for cuts with invisibly small details or with too many
+/// strokes.
 std::string coarse_data(const cut::Cut& cut, const View& view) {
   PathSimplifier simplifier{{.distance_mm = 0.3 / view.px_per_mm()}};
   simplifier.push({.x_mm = cut.start().x(), .y_mm = cut.start().y(), .move = Move::kCut});

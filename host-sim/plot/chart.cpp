@@ -116,8 +116,8 @@ class PanelDrawing {
   }
 
   /// Appends the band of a series as a polygon, which runs along the upper side of the band and
-  /// back along the lower side. Bands must be appended before all lines, so that they are below
-  /// them.
+  /// back along the lower side. Bands must be appended before all lines, so that the lines cover
+  /// the bands.
   void add_band(const ChartSeries& series, const std::string& colour) {
     if (series.half_bands.empty()) return;
     std::string points;

@@ -28,7 +28,7 @@ struct ChartPanel {
 };
 
 /// Returns an SVG document with a width of 1600 px, in which the panels are next to each other. A
-/// panel without points has a text that states this.
+/// panel without points has a text that states this fact.
 /// @pre there is at least one panel
 [[nodiscard]] std::string draw_chart(const std::string& title,
                                      const std::string& subtitle,

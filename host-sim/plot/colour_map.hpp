@@ -15,7 +15,7 @@ struct Colour {
 /// constant below 0 and above 1.
 ///
 /// The colours go from dark blue (slow) through magenta to orange (fast). Lightness increases along
-/// the whole scale, so that the order of speeds is visible to colour-blind people and in grey
+/// the complete scale, so that the order of speeds is visible to colour-blind people and in grey
 /// prints. The lightest colour is still visible on white. Source: the lower three quarters of the
 /// map "plasma" of S. van der Walt and N. Smith (matplotlib, CC0).
 [[nodiscard]] Colour speed_colour(double fraction);

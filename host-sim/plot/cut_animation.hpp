@@ -19,7 +19,7 @@ inline constexpr std::size_t kMaxGrowingStrokes = 5'000;
 inline constexpr std::size_t kMaxBeamPlaces = 20'000;
 
 /// Returns an SVG document that plays a job repeatedly. The beam moves along rapids and cuts by the
-/// times of the timeline, lines appear while they are cut, and a clock shows the time of the job.
+/// times of the timeline. Lines appear while they are cut, and a clock shows the time of the job.
 /// The document is animated by SMIL, which is a part of SVG, without any script. A viewer without
 /// animation shows the finished job.
 /// @pre the scene has a timeline

@@ -11,7 +11,7 @@ namespace sim {
 namespace {
 
 /// Greatest number of pierces for which every pierce has a number, even if this number covers
-/// another one.
+/// another number.
 constexpr std::size_t kMaxAllNumbered = 100;
 /// Width and height of a digit in the font of the picture, as shares of the font size.
 constexpr double kDigitWidth = 0.64;
@@ -61,8 +61,8 @@ double width_of(std::size_t number, const NumberLayout& layout) {
   return kDigitWidth * layout.size_px * digits;
 }
 
-/// Returns the interval between pierces that have a number, so that at most `max_shown` have one:
-/// 1, 2 or 5 times a power of ten.
+/// Returns the interval between pierces that have a number: 1, 2 or 5 times a power of ten. With
+/// this interval, at most `max_shown` pierces have a number.
 std::size_t step_for(std::size_t pierces, std::size_t max_shown) {
   if (pierces <= max_shown) return 1;
   return static_cast<std::size_t>(
@@ -70,9 +70,9 @@ std::size_t step_for(std::size_t pierces, std::size_t max_shown) {
 }
 
 /// Position of a number relative to its pierce, to the right and up, as shares of the size of the
-/// number. kSides lists all positions, beginning with the preferred one.
+/// number. kSides lists all positions, the preferred position first.
 struct Side {
-  double right;  ///< −1: to the left of the pierce, 0: in the middle, 1: to the right.
+  double right;  ///< Horizontal position: −1: left of the pierce, 0: in the middle, 1: right of it.
   double up;
 };
 constexpr std::array<Side, 8> kSides{

@@ -51,8 +51,8 @@ void add_paths(std::string& out, const drawing::Drawing& drawn, const View& view
                      open);
 }
 
-/// Appends the number of each contour at the beginning of the contour. The numbers are those of the
-/// listing, from 1.
+/// Appends the number of each contour at the beginning of the contour. The numbers count from 1, as
+/// in the listing of the drawing's contours.
 void add_numbers_of(std::string& out, const drawing::Drawing& drawn, const View& view) {
   constexpr double kNumberPx = 14.0;
   for (std::size_t i = 0; i < drawn.contours.size(); ++i) {

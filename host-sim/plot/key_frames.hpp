@@ -9,8 +9,8 @@
 
 namespace sim {
 
-/// Builds the attributes `values` and `keyTimes` of one animation. add() raises a share to the
-/// preceding share if it is smaller. The last share must be 1.
+/// Builds the attributes `values` and `keyTimes` of one animation. add() replaces a share that is
+/// smaller than the preceding share by the preceding share. The last share must be 1.
 class KeyFrames {
  public:
   void add(double share, std::string_view value) {
@@ -31,7 +31,7 @@ class KeyFrames {
   double last_ = 0.0;
 };
 
-/// The duration of a job and that of its animation.
+/// The duration of a job, and the duration of its animation.
 struct AnimationTime {
   double total_s = 1.0;  ///< Duration of the job, > 0.
   double shown_s = 1.0;  ///< Duration of the animation, > 0.

@@ -10,12 +10,13 @@ namespace sim {
 namespace {
 
 /// Shares of length and of speed that the scale ignores. Speeds that are measured over the steps of
-/// short stretches scatter, mostly upwards. Without the fastest 0.2 % of the length and the upper 2
-/// % of the speed, scatter does not extend a scale of 3000 mm/min to 4000 mm/min.
+/// short stretches scatter, mostly upwards. The scale ignores the fastest 0.2 % of the length, and
+/// ends at 98 % of the greatest remaining speed. Scatter thus does not extend a scale of 3000
+/// mm/min to 4000 mm/min.
 constexpr double kScatteredLength = 0.002;
 constexpr double kScatter = 0.98;
 
-/// Least length of a stretch that is visible as a line. A shorter one is only a dot.
+/// Least length of a stretch that is visible as a line. A shorter stretch is only a dot.
 constexpr double kVisiblePx = 4.0;
 
 double length_mm(const PathVertex& from, const PathVertex& to) {

@@ -31,8 +31,8 @@ Point to_point(const cnc::Position& place) {
   return point;
 }
 
-/// Returns the number of equal chords into which a circle or arc must be divided, so that each
-/// chord is within the tolerance of the curve.
+/// Returns the number of equal chords into which a circle or arc must be divided. Each chord is
+/// then within the tolerance of the curve.
 double chord_count(const Curve& curve) {
   const Circle& circle = curve.circle().value();
   const double cosine = std::max(-1.0, 1.0 - PathTolerance{}.distance_mm / circle.radius);

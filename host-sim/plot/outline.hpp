@@ -19,8 +19,8 @@ struct ProgramOutline {
   std::optional<Refusal> refused;
 };
 
-/// Greatest number of points before the path is thinned. No job of a real user has more, and this
-/// many are read within seconds. A line that would exceed the limit is refused.
+/// Greatest number of points before the path is thinned. Real jobs have fewer points, and this
+/// number of points is read within seconds. A line that would exceed the limit is refused.
 inline constexpr std::size_t kMaxOutlinePoints = 20'000'000;
 
 /// Returns the path that a program would take if the controller read it now. The path begins at the

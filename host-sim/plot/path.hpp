@@ -7,7 +7,7 @@ namespace sim {
 
 /// The kind of motion of a stretch of the path, which decides how the stretch is drawn.
 enum class Move : std::uint8_t {
-  kTravel,  ///< Rapid. Also motion with the beam off that is not known to be a feed.
+  kTravel,  ///< Rapid, or motion with the beam off that is not known to be a feed.
   kFeed,    ///< Feed with beam or spindle off.
   kCut,     ///< Feed with beam or spindle on.
 };
@@ -26,7 +26,7 @@ enum class Shown : std::uint8_t {
 struct PathVertex {
   double x_mm = 0.0;
   double y_mm = 0.0;
-  /// Speed, mm/s (0 for travel); if the picture shows depth or power, that quantity.
+  /// Speed, mm/s (0 for travel). If the picture shows depth or power: depth, mm, or power, 0…1.
   float speed_mm_s = 0.0F;
   Move move = Move::kTravel;
 };

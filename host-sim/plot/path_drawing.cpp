@@ -14,8 +14,9 @@ namespace {
 
 constexpr std::size_t kColours = 32;
 
-/// Builds the attribute `d` of one <path>. The start of a polyline is absolute and its stretches
-/// are relative, both in integer units. This saves digits, and rounding errors do not accumulate.
+/// Builds the attribute `d` of one <path>. The start of a polyline has absolute coordinates and its
+/// stretches have relative coordinates, both in integer units. Relative numbers save digits, and
+/// integers prevent the accumulation of rounding errors.
 class PathData {
  public:
   void add_stretch(const PathVertex& from, const PathVertex& to, double unit_mm) {

@@ -10,8 +10,8 @@
 namespace sim {
 namespace {
 
-/// Greatest number of rows in a window. It bounds a window in which the path makes no progress, for
-/// example because a motor moves to and fro.
+/// Greatest number of rows in a window. The limit ends a window in which the path makes no
+/// progress, for example because a motor moves to and fro.
 constexpr std::size_t kMaxSamples = 4'096;
 
 /// Number of steps into which the greatest speed is divided. Speeds that differ by less than a step
@@ -60,7 +60,7 @@ void PathRecorder::on_end(std::uint64_t time_ns) {
   path_.duration_s = 1e-9 * static_cast<double>(time_ns);
 }
 
-// Returns the kind of the motion from the last row to the present one. The output of the last row
+// Returns the kind of the motion from the last row to the present row. The output of the last row
 // was in effect during this motion.
 Move PathRecorder::move_of_stretch() const {
   if (is_rapid_.value_or(false)) return Move::kTravel;
@@ -103,9 +103,9 @@ void PathRecorder::come_to_rest() {
   close_window();
 }
 
-// Converts heights to depths below the highest cut, or below Z0 if a cut is below it. Plunges
-// through air and links above the work look like cuts. Therefore cuts count by their length along X
-// and Y, and the highest hundredth of this length is ignored.
+// Converts heights to depths. They are measured from Z0 if a cut is below Z0, otherwise from the
+// highest cut. Plunges through air and links above the work look like cuts. Therefore cuts count by
+// their length along X and Y, and the highest hundredth of this length is ignored.
 void PathRecorder::measure_depths() {
   constexpr double kLinks = 0.01;
   std::vector<std::pair<float, double>> cuts;  // Height and length of each stretch that is a cut.

@@ -16,13 +16,13 @@ namespace sim {
 /// Collects the path for a picture from the rows of the trace, in bounded memory.
 ///
 /// Rows are collected over windows of some milliseconds, over which the speed is measured.
-/// PathSimplifier then thins the path, with a tolerance of 0.01 mm or two motor steps, whichever is
-/// greater, and of a 64th of the greatest speed. A path with more than `kMaxVertices` vertices is
-/// thinned again with twice the distance, so that memory and picture are bounded. Even such a path
-/// is much finer than the picture.
+/// PathSimplifier then thins the path. Its distance tolerance is the greater of 0.01 mm and two
+/// motor steps. Its speed tolerance is a 64th of the greatest speed. A path with more than
+/// `kMaxVertices` vertices is thinned again with twice the distance tolerance, so that memory and
+/// picture are bounded. Even such a path is much finer than the picture.
 class PathRecorder final : public TraceSink {
  public:
-  /// Greatest number of vertices. This many take about 1.5 MB of SVG.
+  /// Greatest number of vertices. A path with this number of vertices takes about 1.5 MB of SVG.
   static constexpr std::size_t kMaxVertices = 50'000;
 
   /// @param steps_per_mm steps per mm of X, Y and Z, all > 0; motions of A, B and C are ignored
@@ -71,7 +71,7 @@ class PathRecorder final : public TraceSink {
   Shown shown_;
   std::optional<bool> is_rapid_;
   Position position_{};             ///< Position in the last row.
-  float duty_ = 0.0F;               ///< Output since the last row.
+  float duty_ = 0.0F;               ///< Output of beam or spindle since the last row, 0…1.
   Move last_move_ = Move::kTravel;  ///< Kind of the stretch that ended at the last row.
   bool has_started_ = false;
   SpeedWindow window_;

@@ -61,9 +61,9 @@ bool PathSimplifier::is_in_sector(Direction direction) const {
   return cross(right_bound_, direction) >= 0.0 && cross(direction, left_bound_) >= 0.0;
 }
 
-// Narrows the sector to the directions that pass near `point`. Nearer points do not define a
-// sector, so that it is at most a quarter turn wide. Cross products alone can then decide whether a
-// direction is inside.
+// Narrows the sector to the directions that pass near `point`. Ignores points very near the last
+// vertex, so that the sector is at most a quarter turn wide. Cross products alone can then decide
+// whether a direction is inside the sector.
 void PathSimplifier::narrow_sector(const PathVertex& point) {
   const PathVertex& start = vertices_.back();
   const double distance = distance_mm(start, point);

@@ -21,7 +21,7 @@ struct PathTolerance {
 /// enough to the point. If a point is outside the sector, the point before it becomes a vertex.
 /// Work and memory for each point are constant.
 ///
-/// Guarantee: every dropped point lies within the distance tolerance of the path, and its speed is
+/// Guarantee: every dropped point is within the distance tolerance of the path, and its speed is
 /// within the speed tolerance of its stretch. A change of `move` is always a vertex, unless it is
 /// nearer to the last vertex than half of the tolerance. This exception bounds the number of
 /// vertices by the length of the path.

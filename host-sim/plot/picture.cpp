@@ -28,7 +28,7 @@ constexpr double kLegendWidthPx = 270.0;
 constexpr double kPlotWidthPx = kPictureWidthPx - kLeftLabelsPx - kLegendWidthPx - 2.0 * kMarginPx;
 constexpr double kTallestPlotPx = 1.15 * kPlotWidthPx;
 
-/// Distance below which points look like one point, so that drawing both would only add bytes.
+/// Distance below which points look like one point, so that a second point would only add bytes.
 constexpr double kInvisiblePx = 0.1;
 
 /// Returns the visible area: an extent with additional space for the width of lines. It always has

@@ -20,7 +20,8 @@ inline constexpr double kPictureWidthPx = 1600.0;
 /// Returns the picture of a job as an SVG document (`--svg FILE`): the XY view of the path as it
 /// was cut, coloured by speed, depth or power, with rapids dashed. It contains a grid, a legend, a
 /// scale bar, marks of start and end, dimensions and time. The picture of a job without motion in X
-/// and Y states this. The document has less than 2 MB for any path of PathRecorder.
+/// and Y contains a text that states this fact. The document has less than 2 MB for any path of
+/// PathRecorder.
 [[nodiscard]] std::string draw_svg(const Path& path, const PictureOptions& options);
 
 /// Writes the picture of a job. Throws std::system_error, with the name of the file, if it cannot

@@ -12,7 +12,7 @@ namespace sim {
 /// A scale of colours with numbers.
 struct ColourScale {
   std::string heading;  ///< Heading of the scale, with the unit of its numbers.
-  /// Colours, from that of the smallest number to that of the greatest; at least two.
+  /// Colours, from the colour of the smallest number to the colour of the greatest; at least two.
   std::vector<Colour> colours;
   double least = 0.0;
   double most = 1.0;  ///< Greatest number of the scale, above `least`.

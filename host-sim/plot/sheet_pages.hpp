@@ -36,9 +36,9 @@ class SheetPages {
   /// @pre each row has a cell for each column
   void add_table(const std::vector<SheetColumn>& columns,
                  const std::vector<std::vector<std::string>>& rows);
-  /// Reserves a box for a picture over the width of the page, and returns it. The caller must
-  /// append the picture to page(). If the rest of the present page has at least half of
-  /// `height_pt`, the box is as high as this rest allows; otherwise it is on the next page.
+  /// Reserves a box for a picture, as wide as the page, and returns the box. The caller must append
+  /// the picture to page(). If the rest of the present page has at least half of `height_pt`, the
+  /// box is as high as this rest allows; otherwise it is on the next page.
   [[nodiscard]] Box take_box(double height_pt);
   [[nodiscard]] std::string& page() { return pages_.back(); }
 

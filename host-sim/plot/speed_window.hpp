@@ -24,7 +24,7 @@ class SpeedWindow {
   /// averaged into the motion before and after it.
   static constexpr std::uint64_t kStandstillNs = 50'000'000;
 
-  /// @param step_mm length of the coarser one of the steps of X and Y
+  /// @param step_mm length of the longer of the steps of X and Y
   explicit SpeedWindow(double step_mm)
       : chord_mm_{kChordSteps * step_mm}, long_enough_mm_{kWindowSteps * step_mm} {}
 
@@ -48,8 +48,8 @@ class SpeedWindow {
     return last_ns_ - start_ns_ >= kWindowNs && length_mm_ >= long_enough_mm_;
   }
 
-  /// Returns the mean speed since restart(); `otherwise` if the steps are too few, and the time too
-  /// short, to measure it.
+  /// Returns the mean speed since restart(); `otherwise` if the steps are too few and the time is
+  /// too short for a measurement.
   [[nodiscard]] double speed_mm_s(double otherwise) const {
     const std::uint64_t elapsed_ns = last_ns_ - start_ns_;
     const double length_mm = length_mm_ + distance_mm(chord_start_, last_);

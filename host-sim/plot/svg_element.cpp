@@ -91,7 +91,7 @@ void add_bulge(
                    x2_px,
                    y2_px);
   } else {
-    // In the document y points downwards, so a turn to the left decreases angles.
+    // In the document, y points downwards, so that an arc that turns left has decreasing angles.
     const double along = std::atan2(y2_px - y1_px, x2_px - x1_px);
     const double half_turn = -2.0 * std::atan(bulge);
     const double handle_px = chord_px * (1.0 + size * size) / 3.0;

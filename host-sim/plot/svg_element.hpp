@@ -9,7 +9,7 @@ namespace sim::svg {
 
 struct TextStyle {
   double size_px;
-  /// Point of the text that is at the given position: `start`, `middle` or `end`.
+  /// Part of the text that is placed at the given position: `start`, `middle` or `end`.
   std::string_view anchor = "start";
   std::string_view fill = "#222222";
   std::string_view weight = "normal";
@@ -28,8 +28,7 @@ struct LineStyle {
 
 /// Appends a line or an arc to path data that ends at (x1, y1). The bulge is tan(sweep / 4), and is
 /// positive if the arc turns left in a drawing whose y points upwards. A flat arc is drawn as a
-/// cubic curve with the same tangents, because renderers lose accuracy if the centre of an arc is
-/// far away.
+/// cubic curve with the same tangents: renderers lose accuracy if the centre of an arc is far away.
 void add_bulge(
     std::string& data, double x1_px, double y1_px, double x2_px, double y2_px, double bulge);
 

@@ -28,8 +28,8 @@ using CairoContext = std::unique_ptr<cairo_t, Releaser<cairo_destroy>>;
 /// @param file name of the file, for messages
 [[nodiscard]] SvgHandle load_svg(const std::string& file, std::string_view svg);
 
-/// Draws a document over the whole surface. Throws the exception of fail_to_draw() if it cannot be
-/// drawn.
+/// Draws a document over the complete surface. Throws the exception of fail_to_draw() if the
+/// document cannot be drawn.
 void render_svg(const std::string& file,
                 RsvgHandle& handle,
                 cairo_surface_t& surface,

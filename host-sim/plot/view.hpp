@@ -81,7 +81,8 @@ class View {
   return 10.0 * power;
 }
 
-/// Returns the extent of the stretches of a path whose `move` is `least` or a later value of Move.
+/// Returns the extent of those stretches of a path whose `move` is `least` or a later value in the
+/// enumeration Move.
 [[nodiscard]] inline Extent bounds_of(const std::vector<PathVertex>& vertices, Move least) {
   Extent bounds;
   for (std::size_t i = 0; i < vertices.size(); ++i) {

@@ -10,7 +10,7 @@ namespace {
 constexpr std::int32_t kUncut = std::numeric_limits<std::int32_t>::max();
 
 /// Margin in mm for rounding errors of doubles at coordinates of up to kFarthestStockMm. The tool
-/// is widened by it for lower bounds and narrowed by it for upper bounds.
+/// is widened by this margin for lower bounds, and narrowed by it for upper bounds.
 constexpr double kRoundingMm = 1.0e-9;
 
 /// Returns the greatest whole number that is at most `value`. It avoids std::floor, which would be
@@ -30,7 +30,7 @@ bool is_same(const Pose& a, const Pose& b) {
   return a.x_mm == b.x_mm && a.y_mm == b.y_mm && a.z_mm == b.z_mm;
 }
 
-/// Returns whether both slacks of `stretch` are at least those of `other`.
+/// Returns whether both slacks of `stretch` are at least as great as the slacks of `other`.
 bool has_slack_of(const Stretch& stretch, const Stretch& other) {
   return stretch.side_slack_mm >= other.side_slack_mm && stretch.up_slack_mm >= other.up_slack_mm;
 }

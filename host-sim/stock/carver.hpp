@@ -13,7 +13,7 @@ namespace sim::stock {
 /// A straight piece of the tool's path, with bounds of the tool's deviation from it.
 ///
 /// The tip stays within an upright cylinder of radius `side_slack_mm` and half height `up_slack_mm`
-/// around the poses of the stretch. It passes through the cylinder around each pose.
+/// around the poses of the stretch. The tip passes through the cylinder around each pose.
 struct Stretch {
   Pose from;
   Pose to;
@@ -27,7 +27,7 @@ struct Stretch {
 /// at its four corners prove this, because the swept surface is convex. The lower bound is lowered
 /// where the tool may have touched any point of the cell. One swept surface represents the complete
 /// stretch. So the computing time is proportional to the stretch's area in plan and does not depend
-/// on a number of poses. Parts of the tool above the stock's top take no time.
+/// on a number of sampled poses. Parts of the tool above the stock's top take no time.
 ///
 /// If a stretch begins at the end of the previous stretch, cells behind its start are skipped,
 /// because the previous stretch covered them. If the path falls, the skipped area begins slightly

@@ -12,9 +12,9 @@ namespace {
 /// Computes the lowest height that the tool can cut over each cell of a pocket while its tip is on
 /// the floor.
 ///
-/// The tool's axis must stay at least the tool's radius away from all walls. The lowest height over
-/// a point is the profile's height at the distance from the point to the nearest permitted axis
-/// position, because the profile never falls outwards.
+/// The tool's axis must stay at least the tool's radius away from all walls. The profile never
+/// falls outwards. So the lowest height over a point is the profile's height at the distance from
+/// the point to the nearest permitted axis position.
 class ToolRoom {
  public:
   ToolRoom(const PlanRegion& region, const Cutter& cutter, double depth_mm)

@@ -45,14 +45,14 @@ struct PocketFigures {
   /// not counted.
   VolumeBounds rest;
   HeightPeak tallest_rest;
-  /// The tallest rest in a cell that the tool has cut, which is thus left between passes.
+  /// The tallest rest in a cell that the tool has cut. Such a rest is left between passes.
   HeightPeak tallest_scallop;
 };
 
-/// Compares a stock with a pocket whose rings are in or near the stock. The bounds allow for both
-/// sides of a wall in each cell that the wall crosses. The area where the tool fits is known to
-/// within half a cell diagonal. So the bounds differ by about one cell along all walls. During the
-/// comparison, each cell of the pocket's box takes 25 bytes.
+/// Compares a stock with a pocket whose rings are in or near the stock. In a cell that a wall
+/// crosses, the bounds allow for both sides of the wall. The border of the area where the tool fits
+/// is known to within half a cell diagonal. So the bounds differ by about one cell along all walls.
+/// During the comparison, each cell of the pocket's box takes 25 bytes.
 /// @pre fault_of() of cutter and target is empty
 [[nodiscard]] PocketFigures compared(const Stock& stock,
                                      const Cutter& cutter,

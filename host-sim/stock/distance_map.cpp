@@ -17,9 +17,9 @@ class ParabolaLine {
     from_.resize(max_cells + 1);
   }
 
-  /// Replaces `count` values whose indices are `stride` apart. The new value of a cell is the
-  /// minimum, over all cells of the line, of the other cell's old value plus the squared distance
-  /// to that cell.
+  /// Replaces `count` values whose indices are `stride` apart. For each cell of the line, computes
+  /// the cell's old value plus its squared distance from a given cell. The new value of the given
+  /// cell is the minimum of these sums.
   void spread(double* values, std::size_t count, std::size_t stride) {
     std::size_t parabolas = 0;
     for (std::size_t i = 0; i < count; ++i) {

@@ -54,8 +54,8 @@ class Front {
  private:
   /// Returns the first cell ahead of a point of the circumference that is `side` mm to the left of
   /// the path. Cells within `ring_mm_`, which may be partly cut, are skipped. The search goes
-  /// parallel to the path, because this keeps the distance from walls along the path. Returns null
-  /// outside of the stock.
+  /// parallel to the path, so that its distance from a wall along the path stays constant. Returns
+  /// null outside of the stock.
   [[nodiscard]] const Cell* cell_ahead(double share, double side) const {
     const double ahead = share * length_mm_ + std::sqrt((ring_mm_ - side) * (ring_mm_ + side));
     const double x = stretch_.from.x_mm + ahead * along_x_ - side * along_y_;

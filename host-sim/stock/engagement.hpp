@@ -16,9 +16,9 @@ struct Engagement {
 
 /// Returns the greatest engagement of a flat tool along a stretch, measured on the stock before the
 /// stretch is cut. Only the leading half of the circumference is considered, because the other half
-/// is in the tool's own cut. Checks poses at most an eighth of the radius apart, the first one at
-/// the start. Stock that rises above the tip by less than 2 µm plus twice the stretch's slack in
-/// height counts as floor, not as engaged. A vertical stretch has no engagement.
+/// is in the tool's own cut. Checks poses at distances of at most an eighth of the radius,
+/// beginning at the start. Stock that rises above the tip by less than 2 µm plus twice the
+/// stretch's slack in height counts as floor, not as engaged. A vertical stretch has no engagement.
 [[nodiscard]] Engagement greatest_engagement(const Stock& stock,
                                              double radius_mm,
                                              const Stretch& stretch);

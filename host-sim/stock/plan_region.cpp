@@ -49,8 +49,8 @@ void PlanRegion::fit_to(const std::vector<Ring>& rings) {
   grid_.rows = cell(high[1], box.y_min, grid_.cell_y_mm) + 2 - first_row_;
 }
 
-/// Marks the cells of a row whose centres are inside. These are between the first and the second
-/// crossing of the row with the rings, between the third and the fourth, and so on.
+/// Marks the cells of a row whose centres are inside. These centres are between the first and the
+/// second crossing of the row with the rings, between the third and the fourth, and so on.
 void PlanRegion::fill_row(const std::vector<Ring>& rings, int row) {
   const double y = stock_.box().y_min + (first_row_ + row + 0.5) * grid_.cell_y_mm;
   std::vector<double> crossings;
@@ -71,7 +71,7 @@ void PlanRegion::fill_row(const std::vector<Ring>& rings, int row) {
   }
 }
 
-/// Marks every cell that a piece of a ring touches. In each row, these are the cells from the
+/// Marks every cell that a piece of a ring touches. In each row, a piece touches the cells from the
 /// lowest to the highest X of the piece within the row.
 void PlanRegion::mark_edge(const std::array<double, 2>& from, const std::array<double, 2>& to) {
   const double bottom = stock_.box().y_min + first_row_ * grid_.cell_y_mm;

@@ -27,7 +27,8 @@ class PlanRegion {
 
   [[nodiscard]] const DistanceGrid& grid() const { return grid_; }
   [[nodiscard]] const std::vector<RegionPart>& parts() const { return parts_; }
-  /// Returns the part to which a cell of the stock belongs; a cell beyond the grid is outside.
+  /// Returns whether a cell of the stock is outside, at an edge or inside. A cell beyond the grid
+  /// is outside.
   [[nodiscard]] RegionPart part_of(int column, int row) const;
   /// has() returns whether the grid contains a cell of the stock. index_of() returns the index of a
   /// contained cell.

@@ -13,7 +13,7 @@ namespace sim::stock {
 enum class Drive : std::uint8_t {
   kFeed,
   kRapid,
-  kJoint,  ///< Position at the joint between a rapid and a feed, which may belong to either.
+  kJoint,  ///< Position at the joint between a rapid and a feed. It may belong to either motion.
 };
 
 /// Program line and kind of the motion to which a stretch belongs.
@@ -73,7 +73,7 @@ class StepStretches {
   std::optional<Pose> start_;
   StretchOrigin origin_;
   std::vector<Step> steps_;   ///< Steps since the start of the stretch.
-  std::size_t to_check_ = 2;  ///< Number of waiting steps at which settle() checks them next.
+  std::size_t to_check_ = 2;  ///< Number of waiting steps at which settle() next checks their fit.
 };
 
 }  // namespace sim::stock

@@ -85,8 +85,8 @@ class Stock {
   /// more than kMaxCarvedBytes.
   [[nodiscard]] Cell* row_of_tile(int tile_column, int row);
 
-  /// Counts removed material. The parameters are the sums, over the changed cells, by which upper
-  /// and lower bounds were lowered.
+  /// Counts removed material. The parameters are the amounts, summed over the changed cells, by
+  /// which upper and lower bounds were lowered.
   void count_removed(std::int64_t upper_fell_nm, std::int64_t lower_fell_nm) {
     upper_fell_nm_ += upper_fell_nm;
     lower_fell_nm_ += lower_fell_nm;

@@ -91,7 +91,8 @@ class WorstOfParts {
     if (std::abs(place.off_mm) > std::abs(worst.off_mm)) worst = place;
   }
 
-  /// Returns the greatest deviations in descending order. They are at least `apart_mm` apart.
+  /// Returns the greatest deviations in descending order. Their distance from each other is at
+  /// least `apart_mm`.
   [[nodiscard]] std::vector<WorstPlace> worst(double apart_mm) const {
     std::vector<WorstPlace> sorted = worst_;
     std::ranges::sort(sorted, std::ranges::greater{}, [](const WorstPlace& place) {
@@ -162,8 +163,8 @@ class SurfaceComparer {
   }
 
   /// Converts a height above the surface to a distance perpendicular to the surface. For a great
-  /// height, it also checks the surroundings, because the nearest point may be on a wall next to
-  /// the cell.
+  /// height, also checks the surface around the cell, because the nearest point may be on a wall
+  /// next to the cell.
   [[nodiscard]] double square_off(double height_mm,
                                   const CellSurface& surface,
                                   const Eigen::Vector2d& place) {

@@ -56,10 +56,11 @@ void SweptSurface::fill_table() {
   }
 }
 
-/// Computes an upper bound of the lead from h'(r) u / r = |climb|. With u = q r, 0 < q <= 1, the
-/// profile rises at r by |climb| / q. In a rounded corner, this holds at r = flat + corner |climb|
-/// / sqrt(q² + climb²), so u <= flat + corner |climb| / sqrt(1 + climb²). In a cone, it holds only
-/// for q = |climb| / rise and at the cone's kink.
+/// Computes an upper bound of the lead u. The lead satisfies h'(r) u / r = |climb|, where h' is the
+/// profile's rise at the distance r from the axis. With u = q r, 0 < q <= 1, the profile rises at r
+/// by |climb| / q. In a rounded corner, this holds at r = flat + corner |climb| / sqrt(q² +
+/// climb²), so u <= flat + corner |climb| / sqrt(1 + climb²). In a cone, it holds only for q =
+/// |climb| / rise and at the cone's kink.
 double SweptSurface::bound_of_lead() const {
   if (is_level_) return 0.0;
   const double steepness = std::abs(climb_);
@@ -144,8 +145,8 @@ double SweptSurface::height_of_path(double x, double y) const {
   const double ahead = along - pose;
   const double height =
       z_ + climb_ * pose + height_at(profile_, std::sqrt(ahead * ahead + across * across));
-  // The next stretch omits the points that its first pose sweeps lowest. This first pose is the end
-  // of the present stretch, so that its height is included here.
+  // The next stretch omits the points that its first pose sweeps lowest. Its first pose is the last
+  // pose of the present stretch, so that the height of this pose is included here.
   const Pose& end = falls() ? low_ : high_;
   return std::min(height, height_of_pose(end, x - end.x_mm, y - end.y_mm));
 }
@@ -226,8 +227,8 @@ std::optional<Interval> SweptSurface::extent_at(double y, double extra_mm) const
     include(from_x_ + pose * along_x_ + half);
   }
   for (const double side : {-radius, radius}) {
-    // Includes the crossing of the sweep's straight side with the line at `y`. A path along X has
-    // no crossing and needs none.
+    // Includes the crossing of the sweep's straight side with the line at `y`. For a path along X,
+    // there is no crossing, and none is required.
     const double rise = y - (from_y_ + side * along_x_);
     if (rise * along_y_ < 0.0 || std::abs(rise) > length_ * std::abs(along_y_)) continue;
     if (along_y_ == 0.0) continue;
@@ -239,7 +240,8 @@ std::optional<Interval> SweptSurface::extent_at(double y, double extra_mm) const
 
 Interval SweptSurface::ahead_of_start(Interval extent, double y, double extra_mm) const {
   const double rear = extra_mm + (falls() ? max_lead_ : 0.0);
-  const double needed = -rear - (y - from_y_) * along_y_;  // Least value of (x − from_x) along_x.
+  // Least permitted value of (x − from_x_) · along_x_.
+  const double needed = -rear - (y - from_y_) * along_y_;
   if (along_x_ > 0.0) extent.low = std::max(extent.low, from_x_ + needed / along_x_);
   if (along_x_ < 0.0) extent.high = std::min(extent.high, from_x_ + needed / along_x_);
   if (along_x_ == 0.0 && needed > 0.0) extent.high = -kNowhere;

@@ -48,8 +48,8 @@ class SweptSurface {
   }
   /// Returns whether the path is inclined and leads downwards.
   [[nodiscard]] bool falls() const { return climb_ < 0.0; }
-  /// Returns whether no later pose sweeps the points that ahead_of_start() removes lower than the
-  /// first pose does.
+  /// Returns whether the first pose sweeps the points that ahead_of_start() removes at least as low
+  /// as every later pose.
   [[nodiscard]] bool has_old_rear() const { return !plunges_; }
 
   /// Returns the lowest and the highest Y of the sweep's plan.
@@ -61,8 +61,8 @@ class SweptSurface {
   /// `extra_mm`.
   [[nodiscard]] std::optional<Interval> extent_at(double y, double extra_mm) const;
   /// Removes points behind the start from an extent at `y`. A removed point is more than `extra_mm`
-  /// behind the start, and more than `extra_mm` behind all points that a later pose sweeps lower
-  /// than the first pose does. The result may be empty.
+  /// behind the start. It is also more than `extra_mm` behind all points that a later pose sweeps
+  /// lower than the first pose. The result may be empty.
   [[nodiscard]] Interval ahead_of_start(Interval extent, double y, double extra_mm) const;
 
   /// Returns the height over a point; kNowhere outside of the plan. The table of poses may make the
@@ -103,9 +103,9 @@ class SweptSurface {
   void fill_table();
   [[nodiscard]] double bound_of_lead() const;
   /// Returns the pose at an end of the path if it alone determines the heights around (x, y). This
-  /// is true if it sweeps all swept points within `margin_mm` of (x, y) lowest. It is also true for
-  /// the lower end if it sweeps (x, y) with the flat of the tool, because no point is swept lower.
-  /// Returns null if other poses may determine the heights.
+  /// is the case if no other pose sweeps a point within `margin_mm` of (x, y) lower. It is also the
+  /// case for the lower end if this pose sweeps (x, y) with the flat of the tool, because no point
+  /// is swept lower. Returns null if other poses may determine the heights.
   [[nodiscard]] const Pose* sole_pose(double x, double y, double margin_mm) const {
     const double rx = x - low_.x_mm;
     const double ry = y - low_.y_mm;

@@ -66,7 +66,7 @@ class AscReader {
     while (!word_.empty() && ((word_.front() >= 'a' && word_.front() <= 'z') ||
                               (word_.front() >= 'A' && word_.front() <= 'Z'))) {
       const auto as_number = parsed_number(word_);
-      // `nan` is the first height, which is missing; it is not a key.
+      // The word `nan` is not a key. It is the first height, which was not measured.
       if (as_number && std::isnan(*as_number)) return;
       const std::size_t line = words_.line();
       const std::string_view value = words_.next();

@@ -24,8 +24,9 @@ class OpenParts {
   [[nodiscard]] bool empty() const { return count_ == 0; }
   [[nodiscard]] std::size_t size() const { return count_; }
   OpenPart take() { return parts_[--count_]; }
-  /// Adds a node. Of the entries above the first `before` entries, the entry with the highest bound
-  /// is taken next, because its contact may make the other entries unnecessary.
+  /// Adds a node to the top of the stack, or below the top entry if this entry has a higher bound.
+  /// The first `before` entries keep their positions. The entry with the highest bound is thus
+  /// taken next. Its contact may make the other entries unnecessary.
   void add(const OpenPart& part, std::size_t before) {
     parts_[count_++] = part;
     const bool is_lower = count_ - before > 1 && parts_[count_ - 2].most > part.most;

@@ -11,9 +11,9 @@
 namespace sim::surface {
 
 /// Finds the height at which a tool that comes down along Z first touches a mesh: a facet, an edge
-/// or a corner. A tree skips all facets that cannot be higher than the contact found so far. So the
-/// time of a search hardly depends on the number of facets. Lengths are mm. Several threads may
-/// call the const functions at the same time.
+/// or a corner. The search in a tree skips all facets that cannot have a higher contact than the
+/// highest contact so far. The time of a search thus hardly depends on the number of facets.
+/// Lengths are mm. Several threads may call the const functions at the same time.
 class DropCutter {
  public:
   /// Facet of the last contact. The search at a nearby point begins with this facet.
@@ -27,8 +27,8 @@ class DropCutter {
   /// Returns the height of the tool's tip with the tool's axis at `place` (X, Y);
   /// cnc::surface::kNoContact if nothing is under the tool.
   [[nodiscard]] double tip_height(const Eigen::Vector2d& place) const;
-  /// Returns the height of the tool's tip, as above. The search is faster if `hint` comes from a
-  /// nearby point. Updates `hint`.
+  /// Returns the height of the tool's tip, like the overload without a hint. The search is faster
+  /// if `hint` comes from a nearby point. Updates `hint`.
   [[nodiscard]] double tip_height(const Eigen::Vector2d& place, Hint& hint) const;
 
   /// Returns whether anything is under the tool. The search is fastest if the hint's facet is still

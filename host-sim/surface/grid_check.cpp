@@ -13,7 +13,7 @@
 namespace sim::surface {
 namespace {
 
-/// A step between points is a gap if it exceeds the median step by this factor.
+/// A step between points is a gap if its length exceeds the median length times this factor.
 constexpr double kGapFactor = 4.0;
 /// Greatest reversed area of a triangle that rounding may cause, relative to the square of its
 /// longer edge.

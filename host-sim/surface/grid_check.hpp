@@ -9,8 +9,8 @@ namespace sim::surface {
 /// flipped in plan.
 void require_sound_grid(const GridDraft& grid);
 
-/// Returns the points that follow a gap. A gap is a step along a row, or from row to row, that is
-/// several times as long in plan as the median step in the same direction.
+/// Returns the points that follow a gap. A gap is a step along a row, or from row to row. Its
+/// length in plan is several times the median step in the same direction.
 [[nodiscard]] FaultyPoints gaps_of(const GridDraft& grid);
 
 /// Throws std::invalid_argument for X or Y beyond kFarthestMm, and for heights beyond

@@ -21,8 +21,8 @@ struct GridDraft {
   /// Empty for pictures.
   std::vector<std::uint32_t> lines{};
   std::vector<std::string> notes{};
-  /// Height of the highest point above the lowest point, as the operator requests; 0: heights as in
-  /// the file.
+  /// Height of the highest point above the lowest point to which the heights are scaled; 0: heights
+  /// as in the file.
   double height_span_mm = 0.0;
   /// Whether the grid is a drawn picture, in which a single high point is intended.
   bool is_picture = false;
@@ -47,8 +47,9 @@ class FaultyPoints {
   /// Returns the index of the first faulty point.
   /// @pre count() > 0
   [[nodiscard]] std::size_t first() const { return first_[0]; }
-  /// Returns `row 2, column 3; row 4, column 5 and 7 more`, counted from 1 in the order of the
-  /// file. A point without a line in a text file is listed with its X and Y as well.
+  /// Returns the positions of the points as text, for example `row 2, column 3; row 4, column 5 and
+  /// 7 more`. Rows and columns count from 1 in the order of the file. A point without a line in a
+  /// text file is listed with its X and Y as well.
   [[nodiscard]] std::string places(const GridDraft& grid) const;
 
  private:

@@ -36,8 +36,8 @@ double mean_around(const GridDraft& grid, std::size_t index) {
   return count == 0 ? std::numeric_limits<double>::quiet_NaN() : sum / count;
 }
 
-/// Gives the missing points a first height: layer by layer, the mean of the neighbours that are
-/// already known.
+/// Gives each missing point an initial height, the mean of its neighbours with known heights. Fills
+/// a hole in layers, from its rim inwards.
 void fill_by_layers(GridDraft& grid, std::vector<std::size_t> missing) {
   std::vector<double> heights;
   while (!missing.empty()) {

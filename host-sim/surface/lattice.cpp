@@ -28,8 +28,8 @@ struct Lattice {
   }
 };
 
-/// Returns the length nearest to `step` that divides `length` into equal parts; 0 if there is none.
-/// Rounded coordinates distort single steps, but not their sum.
+/// Returns the length nearest to `step` that divides `length` into equal parts; 0 if `length` is
+/// less than half of `step`. Rounded coordinates distort single steps, but not their sum.
 double whole_part(double length, double step) {
   const double count = std::round(length / step);
   return std::isfinite(count) && count != 0.0 ? length / count : 0.0;

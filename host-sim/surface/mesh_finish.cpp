@@ -14,7 +14,8 @@ namespace {
 
 constexpr auto kUnusedPoint = std::numeric_limits<std::uint32_t>::max();
 /// A facet is degenerate if twice its area, divided by the square of an edge, is at most this
-/// ratio. If a facet has no area, the rounding of its coordinates keeps the ratio below this limit.
+/// ratio. For a facet without area, the ratio is below this limit even after rounding of the
+/// coordinates.
 constexpr double kDegenerateShare = 1.0e-12;
 
 void require_indices(const MeshDraft& draft) {

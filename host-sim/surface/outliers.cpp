@@ -12,7 +12,8 @@ namespace {
 /// Minimum difference of an outlier from its neighbours' median, relative to the spread. Normally
 /// distributed noise reaches a factor of 6.
 constexpr double kOutlierFactor = 8.0;
-/// Number of standard deviations below which nine of ten distances are in a normal distribution.
+/// Number of standard deviations that nine of ten distances from the mean of a normal distribution
+/// do not exceed.
 constexpr double kSigmasOfNineTenths = 1.645;
 /// Lower limit of the spread, relative to the distance between points.
 constexpr double kMinSpread = 0.02;

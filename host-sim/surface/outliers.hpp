@@ -6,8 +6,8 @@
 
 namespace sim::surface {
 
-/// Returns the indices of outliers. A point is an outlier if its height differs from the median of
-/// its known neighbours, of which there are up to eight, by many times the spread. The spread is
+/// Returns the indices of outliers. A point has up to eight known neighbours. The point is an
+/// outlier if its height differs from their median height by many times the spread. The spread is
 /// the greater of
 /// - the difference from the median that nine of ten points of the grid do not exceed, converted to
 ///   a standard deviation, and

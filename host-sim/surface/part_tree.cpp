@@ -11,7 +11,8 @@ namespace {
 
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
 
-/// Mean slope of a part's facets above which only the part's highest point bounds the part.
+/// Mean slope of a part's facets above which the part's plane is horizontal, at the height of its
+/// highest point.
 constexpr double kSteepest = 20.0;
 /// Distance from a ball's axis, relative to its radius, beyond which its tangent is almost
 /// vertical.
@@ -21,10 +22,11 @@ constexpr double kSteepestOfABall = 7.1;
 /// Upper bound of the relative error of differences and products of a few coordinates in single
 /// precision.
 constexpr double kRounding = 1.0e-6;
-/// Added to a square before its root is computed, because the root is a divisor and must not be
-/// zero.
+/// Number that is added to a square before its root is computed. The root is a divisor and must not
+/// be zero.
 constexpr float kTiny = 1.0e-20F;
-/// Distance, relative to a corner's radius, that is surely inside the corner in single precision.
+/// Distance, relative to a corner's radius, that is inside the corner despite rounding to single
+/// precision.
 constexpr float kInside = 0.999F;
 
 using Four = PartTree::Four;
@@ -37,8 +39,9 @@ Four root(const Four& square) {
       std::sqrt(square[0]), std::sqrt(square[1]), std::sqrt(square[2]), std::sqrt(square[3])};
 }
 
-/// A plane that is nowhere above the tool's lower surface and belongs to a distance from the axis.
-/// `height` is its height at this distance; `share` is its slope divided by this distance.
+/// A plane that touches the tool's lower surface at a distance from the axis and is nowhere above
+/// this surface. `height` is the plane's height at this distance. `share` is the plane's slope
+/// divided by the distance.
 struct Tangent {
   Four height;
   Four share;
@@ -59,9 +62,9 @@ Tangent tangent_at(const PartTree::Shape& tool, const Four& distance) {
 
 /// Returns an upper bound of the tip's height for each of four parts. The tool is convex, so it is
 /// nowhere below a tangent plane. The difference between the part's plane and the tangent plane is
-/// linear. Its maximum over the part's rectangle is thus a bound. The tangent is at the point of
-/// the tool that touches the part's plane or, if this is outside the rectangle, at the nearest
-/// point of the rectangle.
+/// linear. Its maximum over the part's rectangle is thus a bound. The tangent plane is at the point
+/// of the tool that touches the part's plane. If this point is outside the rectangle, the tangent
+/// plane is at the nearest point of the rectangle.
 Four bounds_of(const PartTree::Shape& tool,
                const PartTree::Node& node,
                std::size_t four,

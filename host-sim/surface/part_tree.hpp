@@ -12,7 +12,8 @@
 namespace sim::surface {
 
 /// A tree of facets whose nodes have eight parts each. The facets of a part are within a rectangle
-/// in plan and nowhere above a plane. Both bound the height of a tool that touches the part.
+/// in plan and nowhere above a plane. The rectangle and the plane bound the height of a tool that
+/// touches the part.
 ///
 /// Bounds are computed in single precision for eight parts in parallel. They are increased by more
 /// than their rounding error. All lengths are mm.
@@ -38,15 +39,15 @@ class PartTree {
     /// Index of the part's first facet in order() if the part is a leaf, else the number of its
     /// node.
     std::array<std::uint32_t, kParts> first;
-    /// Number of facets of a leaf; 0 if `first` is a node.
+    /// Number of facets of a leaf; 0 if `first` is the number of a node.
     std::array<std::uint32_t, kParts> count;
   };
 
   /// The tool in single precision.
   struct Shape {
     float reach_square = 0.0F;
-    /// Distance from the axis up to which tangents follow the tool's shape. Beyond it, the last
-    /// tangent continues, because the tool is almost vertical there.
+    /// Distance from the axis up to which tangents follow the tool's shape. Beyond this distance,
+    /// the last tangent continues, because the tool is almost vertical there.
     float almost = 0.0F;
     float flat = 0.0F;
     float corner = 0.0F;

@@ -48,7 +48,7 @@ class PngReader {
     png_set_read_fn(png_, &source_, give_bytes);
     png_set_user_limits(png_, PNG_UINT_31_MAX, PNG_UINT_31_MAX);
     // Faults that libpng would repair or ignore are errors here, because the heights must be
-    // exactly the written ones.
+    // exactly the heights in the file.
     png_set_benign_errors(png_, 0);
     png_set_crc_action(png_, PNG_CRC_ERROR_QUIT, PNG_CRC_ERROR_QUIT);
   }

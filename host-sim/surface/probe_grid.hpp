@@ -31,7 +31,8 @@ struct ProbeGrid {
   [[nodiscard]] Eigen::Vector2d place(std::size_t index) const {
     return {x.at(index % x.count), y.at(index / x.count)};
   }
-  /// Returns the index of the point that the machine probes as number `turn`, counted from 0.
+  /// Returns the index of the point that the machine probes at position `turn` of its serpentine,
+  /// counted from 0.
   [[nodiscard]] std::size_t driven(std::size_t turn) const;
   /// Returns the index of the point that is nearest to `place`.
   [[nodiscard]] std::size_t nearest(const Eigen::Vector2d& place) const;

@@ -34,8 +34,8 @@ struct ProbeLog {
 /// reports and listings, and ignores other lines. Lengths are multiplied by `unit_mm`.
 ///
 /// The offset is the value of `WCO:` in status reports. Without `WCO:`, the offset is the sum of
-/// the active coordinate system's offset, `[G92:…]` and `[TLO:…]`. The active system is the one of
-/// `[G54:…]` to `[G59:…]` that `[GC:…]` names, or G54 without `[GC:…]`.
+/// the active coordinate system's offset, `[G92:…]` and `[TLO:…]`. `[GC:…]` names the active
+/// system, one of G54 to G59. Without `[GC:…]`, G54 is active.
 [[nodiscard]] ProbeLog read_probe_log(std::string_view text, double unit_mm = 1.0);
 
 }  // namespace sim::surface

@@ -31,7 +31,8 @@ struct TipNeighbours {
     return tips[static_cast<std::size_t>(static_cast<std::ptrdiff_t>(index) +
                                          step * static_cast<std::ptrdiff_t>(stride))];
   }
-  /// Returns the slope between two neighbours, given as steps from the point.
+  /// Returns the slope between two neighbours. `from` and `to` are the numbers of steps from the
+  /// point to the neighbours.
   /// @pre both neighbours have a height
   [[nodiscard]] double chord(std::ptrdiff_t from, std::ptrdiff_t to) const {
     return (point(to).z() - point(from).z()) / (point(to)[axis] - point(from)[axis]);

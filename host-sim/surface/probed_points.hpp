@@ -43,9 +43,9 @@ inline constexpr double kPlaceToleranceMm = 0.1;
 ///
 /// If there are several successive answers at a point, the last answer counts. If there are fewer
 /// answers than touches, the point is not measured, because only the slow touch is exact. A later
-/// measurement of a point replaces an earlier one. A failed answer above the depth belongs to a
-/// guarded motion or a listing and is ignored. `name` is the name of the log, for messages. Throws
-/// std::invalid_argument if no answer is at a point of the grid.
+/// measurement of a point replaces an earlier measurement. A failed answer above the depth belongs
+/// to a guarded motion or a listing and is ignored. `name` is the name of the log, for messages.
+/// Throws std::invalid_argument if no answer is at a point of the grid.
 [[nodiscard]] ProbedPoints probed_points(const ProbeLog& log,
                                          const ProbePlan& plan,
                                          const std::string& name);

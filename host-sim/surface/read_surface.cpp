@@ -131,7 +131,7 @@ SurfaceInput read_surface(std::string_view bytes,
       bytes.starts_with(kPngSignature) || is_tiff(bytes) || has_word(bytes, "P5");
   if (!is_text && !is_picture) {
     // A binary STL file is recognized only by its length. If the length is wrong, read_binary_stl()
-    // throws the message.
+    // throws an exception with the reason.
     static_cast<void>(read_binary_stl(bytes, name));
   }
   return finished_grid(read_grid(bytes, first_word, name, options), options);

@@ -26,8 +26,8 @@ struct ScanRow {
 ///
 /// A new row begins where a step reverses the row's sense, or goes more across than along the
 /// direction of the rows. The direction of the rows is first estimated by the first step, then by
-/// the longest row. So rows are found that all run forward, and rows of a serpentine, in which
-/// every second row is marked as turned. Curved rows need blank lines.
+/// the longest row. The method finds rows that all run forward. It also finds the rows of a
+/// serpentine and marks every second row as turned. Curved rows need blank lines.
 [[nodiscard]] std::vector<ScanRow> rows_of(const XyzTable& table);
 
 }  // namespace sim::surface

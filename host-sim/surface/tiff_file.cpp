@@ -60,7 +60,7 @@ toff_t TiffFile::size(thandle_t handle) { return static_cast<Source*>(handle)->b
 
 int TiffFile::note(TIFF*, void* source, const char*, const char* format, std::va_list values) {
   std::array<char, 200> text{};
-  // NOLINTNEXTLINE(clang-analyzer-valist.Uninitialized): libtiff gives them.
+  // NOLINTNEXTLINE(clang-analyzer-valist.Uninitialized): libtiff sets `values`.
   std::vsnprintf(text.data(), text.size(), format, values);
   static_cast<Source*>(source)->complaint = text.data();
   return 1;

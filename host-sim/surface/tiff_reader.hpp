@@ -8,7 +8,8 @@
 
 namespace sim::surface {
 
-/// Returns whether the bytes begin as those of a TIFF or BigTIFF file, in either byte order.
+/// Returns whether the bytes begin with the signature of a TIFF or BigTIFF file, in either byte
+/// order.
 [[nodiscard]] bool is_tiff(std::string_view bytes);
 
 /// Reads the first image of a TIFF file with one sample for each pixel. Heights of a GeoTIFF and

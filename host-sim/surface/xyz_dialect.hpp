@@ -30,8 +30,8 @@ struct XyzDialect {
 };
 
 /// Returns the dialect of a text, derived from the first line that allows it. If a line has
-/// semicolons, they separate and commas are decimal marks. Commas are decimal marks, too, if blanks
-/// alone separate the numbers.
+/// semicolons, the semicolons separate the fields, and commas are decimal marks. Commas are decimal
+/// marks, too, if blanks alone separate the numbers.
 [[nodiscard]] XyzDialect dialect_of(std::string_view text);
 
 /// Returns `line` without its comment, which begins with # or //, and without blanks at its ends.

@@ -85,7 +85,8 @@ class XyzTableReader {
   void choose_columns(const XyzFields& fields) {
     width_ = fields.count;
     labelled_ = !dialect_.number(fields.fields[0]).has_value();
-    // A header with another number of fields than the points does not name the points' fields.
+    // If the header and the points have different numbers of fields, the header does not name the
+    // points' fields.
     if (header_ && header_fields_ != width_) header_.reset();
     if (header_) {
       columns_ = *header_;
@@ -127,8 +128,8 @@ class XyzTableReader {
     if (may_count_) fourth_.push_back(values[3]);
   }
 
-  /// Returns whether the first column numbers the points: there are four or more columns, and it
-  /// increases by one from point to point.
+  /// Returns whether the first column numbers the points: there are four or more columns, and the
+  /// value in the first column increases by one from point to point.
   [[nodiscard]] bool counts_points() const {
     if (!may_count_ || table_.points.size() < 2) return false;
     for (std::size_t i = 1; i < table_.points.size(); ++i) {
@@ -153,8 +154,10 @@ class XyzTableReader {
   std::size_t header_fields_ = 0;
   std::optional<XyzColumns> header_;  ///< Columns of X, Y and Z according to the last header line.
   std::size_t width_ = 0;             ///< Number of fields of each line; 0 before the first point.
-  bool labelled_ = false;             ///< Whether the first field holds names of points.
-  bool may_count_ = false;            ///< Whether the first field may hold numbers of points.
+  /// Whether the first field of each line contains the name of the point.
+  bool labelled_ = false;
+  /// Whether the first field of each line may contain the number of the point.
+  bool may_count_ = false;
   XyzColumns columns_{0, 1, 2};
   std::vector<double> fourth_;  ///< Fourth field of each line; used only if may_count_.
 };

@@ -21,8 +21,7 @@ namespace sim::wall {
 /// Appends a beam to a text as `x y z i j k`, with 17 digits: the tip in mm, and the unit vector of
 /// the axis.
 void append_beam_line(const Eigen::Vector3d& tip, const Eigen::Vector3d& axis, std::string& text);
-/// Appends a comment for a tip that no beam reaches. For a reader of strokes, the comment ends a
-/// stroke.
+/// Appends a comment for a tip that no beam reaches. read_strokes() ends a stroke at this comment.
 void append_lost_line(const Eigen::Vector3d& tip, std::string& text);
 
 /// The beams for a list of tips, as text.

@@ -12,7 +12,7 @@ using cnc::wall::Beam;
 using cnc::wall::Triangle;
 
 /// Distance in mm between a tip and the plane of a facet up to which the tip counts as on the
-/// plane. The beam that cuts a wall touches this wall, so that the wall is not an obstacle.
+/// plane. A beam that cuts a wall touches this wall. The wall must not count as an obstacle.
 inline constexpr double kTouchMm = 1.0e-3;
 
 /// Returns a facet as an obstacle for a beam. If the tip counts as on the facet's plane, the facet

@@ -55,7 +55,8 @@ void require_inside(const surface::Mesh& mesh, const std::string& name) {
     six_volumes += part;
     size += std::abs(part);
   }
-  // Relative volume up to which the volume may be only rounding and counts as 0.
+  // Ratio of the volume to the sum of its absolute terms, up to which the volume may result from
+  // rounding and counts as 0.
   constexpr double kNoVolume = 1.0e-12;
   if (std::abs(six_volumes) <= kNoVolume * size) {
     surface::refuse(name, 0, "encloses no volume", "give a part that has a thickness");

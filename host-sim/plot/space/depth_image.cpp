@@ -45,8 +45,8 @@ void DepthImage::draw(const std::array<ShadedCorner, 3>& corners) {
   const int last_row = std::min(image_.height() - 1, static_cast<int>(std::ceil(bottom)));
   const int first_column = std::max(0, static_cast<int>(std::floor(left)));
   const int last_column = std::min(image_.width() - 1, static_cast<int>(std::ceil(right)));
-  // Least share of a corner in a pixel that belongs to a triangle. It is slightly below 0, so that
-  // no pixel between neighbouring triangles is left out.
+  // Least barycentric coordinate of a pixel that counts as part of a triangle. It is slightly below
+  // 0, so that no pixel between neighbouring triangles is left out.
   constexpr double kSeam = -1.0e-9;
   for (int row = first_row; row <= last_row; ++row) {
     for (int column = first_column; column <= last_column; ++column) {

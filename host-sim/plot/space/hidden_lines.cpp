@@ -11,10 +11,11 @@ namespace {
 
 constexpr double kVisibilityPx = 2.0;
 constexpr double kThinPx = 0.1;
-/// Depth by which a surface may be in front of a line that is visible, because lines are in
-/// surfaces or slightly off them.
+/// Depth by which a surface may be in front of a line without hiding it. It is not 0, because lines
+/// are in surfaces or slightly off them.
 constexpr double kSlackPx = 4.0;
-/// Greatest number of points of a part that one chord may replace. It bounds the time.
+/// Greatest number of points of a part that one chord may replace. The limit bounds the computing
+/// time.
 constexpr std::size_t kMaxReplaced = 64;
 
 double distance_px(const SeenPoint& point, const SeenPoint& from, const SeenPoint& to) {
@@ -53,7 +54,7 @@ class VisibleParts {
   [[nodiscard]] const std::string& data() const { return data_; }
 
  private:
-  /// Returns the index of the last point of the part for which the chord from point `from` to it is
+  /// Returns the index of the farthest point of the part to which the chord from point `from` stays
   /// within kThinPx of the part.
   [[nodiscard]] std::size_t farthest_from(std::size_t from) const {
     const std::size_t end = std::min(part_.size(), from + kMaxReplaced);

@@ -149,7 +149,8 @@ void add_space_axes(std::string& out, const Axonometry& axonometry, const SpaceB
   const unsigned near = near_corner(axonometry, box);
   const Vector3d corner = box.corner(near);
   const SeenPoint middle = axonometry.seen(0.5 * (box.corner(0) + box.corner(3)));
-  // The numbers of X and Y are outside of the floor, in the direction of the other of these axes.
+  // The numbers of X and Y are outside of the floor: those of X in the direction of Y, and those of
+  // Y in the direction of X.
   for (const auto& [axis, name] : {std::pair{Index{0}, "X, mm"}, std::pair{Index{1}, "Y, mm"}}) {
     Vector3d inner = corner;
     inner[1 - axis] = 0.5 * (box.least[1 - axis] + box.most[1 - axis]);

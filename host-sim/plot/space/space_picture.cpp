@@ -28,9 +28,9 @@ constexpr double kMinSpacePx = 560.0;
 constexpr double kMaxSpacePx = 1000.0;
 constexpr double kImageScale = 2.0;
 constexpr Colour kPlainSurface{0xd4, 0xd8, 0xde};
-/// Least cosine of the angle between the normal vector of a facet and the mean normal vector at its
-/// corner for which the corner is shaded smoothly. At a greater angle the edges at the corner look
-/// sharp.
+/// Least cosine of the angle between the normal vector of a facet and the mean normal vector at a
+/// corner, for which the corner is shaded smoothly. At a greater angle, the edges at the corner
+/// look sharp.
 constexpr double kSharp = 0.8;
 
 /// Returns the factor by which heights are multiplied. It is 1 if heights are visible without

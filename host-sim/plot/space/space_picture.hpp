@@ -29,10 +29,11 @@ struct SpaceScene {
 };
 
 /// Returns an axonometric picture as an SVG document. It shows the shaded surface within a box
-/// whose axes have scales in mm, the lines where the surface does not hide them, a title and a key.
-/// If the surface is flat compared with its size, its heights are multiplied by a round factor,
-/// which the key states. The surface is an image within the document; the other content is lines
-/// and texts. Throws std::runtime_error, with the name `file`, if the surface cannot be drawn.
+/// whose axes have scales in mm, and the lines where the surface does not hide them. It has a title
+/// and a key. If the surface is flat compared with its size, its heights are multiplied by a round
+/// factor, which the key states. The surface is an image within the document; the other content is
+/// lines and texts. Throws std::runtime_error, with the name `file`, if the surface cannot be
+/// drawn.
 /// @pre the mesh has a facet
 [[nodiscard]] std::string draw_space(const std::string& file,
                                      SpaceScene scene,

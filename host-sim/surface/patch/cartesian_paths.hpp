@@ -11,8 +11,8 @@
 
 namespace sim::surface::patch {
 
-/// Numbers of flat pieces for different flatness tests and splits: those of paper 4, and those of
-/// this program.
+/// Numbers of flat pieces into which a surface is divided, by flatness test and kind of split. The
+/// tests and splits are those of paper 4 and those of this program.
 struct PieceCounts {
   /// Number of pieces by splits in four until the control points are flat.
   std::size_t control_hull = 0;
@@ -26,8 +26,8 @@ struct PieceCounts {
 [[nodiscard]] PieceCounts piece_counts(const PatchSurface& surface, double flatness_mm);
 
 /// Tolerances and layout of paths in parallel vertical planes. The fit tolerance limits the
-/// distance between points and surface. The chord tolerance limits the distance between surface and
-/// chords.
+/// distance between the given points and the fitted surface. The chord tolerance limits the
+/// distance between the fitted surface and the chords of the paths.
 struct PathOptions {
   double fit_tolerance_mm = 0.005;  ///< Largest distance of a point from the surface.
   /// Largest distance of a chord from the surface, in the chord's plane.

@@ -22,8 +22,8 @@ std::vector<std::uint32_t> CellTree::cells_around(std::uint32_t row, std::uint32
 
 void CellTree::split(std::uint32_t number) {
   std::vector<std::uint32_t> wanted{number};
-  // Each step divides a cell, or adds a coarser neighbour that must be divided before. The loop
-  // ends, because the depth of added cells decreases.
+  // Each step divides a cell, or adds a coarser neighbour that must be divided first. The loop
+  // ends, because an added neighbour has a smaller depth than the cell.
   while (!wanted.empty()) {
     const std::uint32_t next = wanted.back();
     const std::vector<std::uint32_t> before = coarser_neighbours(cells_[next]);
@@ -66,8 +66,8 @@ void CellTree::add(const Cell& cell, std::uint32_t number) {
 
 std::vector<std::uint32_t> CellTree::coarser_neighbours(const Cell& cell) const {
   std::vector<std::uint32_t> found;
-  // A coarser neighbour is at least as long as the common border. So the check of one quadrilateral
-  // at the border is enough.
+  // A coarser neighbour is next to the complete side of the cell. So it is enough to check one
+  // quadrilateral next to each side.
   const auto note = [&](std::uint32_t row, std::uint32_t column) {
     const std::uint32_t number = cell_at(row, column);
     if (cells_[number].depth < cell.depth && cells_[number].can_be_split()) found.push_back(number);

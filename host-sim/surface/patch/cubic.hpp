@@ -34,9 +34,9 @@ struct Parameters {
 /// derivative is 0 (paper 4, 4.1).
 [[nodiscard]] Range range_of(const Cubic& cubic);
 
-/// Returns the parameters at which the sign changes. The value 0 counts as positive. Their number
-/// is odd if and only if the signs of the first and the last coefficient differ. A double root, at
-/// which the sign does not change, gives no parameter or two close parameters.
+/// Returns the parameters at which the sign changes. The value 0 counts as positive. The number of
+/// these parameters is odd if and only if the signs of the first and the last coefficient differ. A
+/// double root, at which the sign does not change, gives no parameter or two close parameters.
 ///
 /// The roots come from the closed formula for A t³ + B t² + C t + D (paper 4, 4.2). Rounding makes
 /// the formula inexact near double roots. Therefore each root is limited to the range between two

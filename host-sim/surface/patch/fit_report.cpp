@@ -15,8 +15,9 @@ double share_of(Interval interval, double value) {
   return (value - interval.from) / (interval.to - interval.from);
 }
 
-/// The rows or columns in an interval, from `first` up to but not including `behind`. The end of
-/// the interval is excluded, unless it is the last of all `count` rows or columns.
+/// The rows or columns in an interval, from `first` up to but not including `behind`. A row or
+/// column at the end of the interval is excluded, unless it is the last of all `count` rows or
+/// columns.
 struct WholeNumbers {
   std::size_t first;
   std::size_t behind;

@@ -7,8 +7,8 @@
 
 namespace sim::surface::patch {
 
-/// Number of samples of the surface that fit_report() takes for each row and for each column of the
-/// grid. A quadrilateral thus has four samples.
+/// Number of samples of the surface that fit_report() takes along each step from row to row, and
+/// from column to column. A quadrilateral thus has four samples.
 inline constexpr double kSamplesPerRow = 2.0;
 
 /// A distance, and the row and column at which it was measured.

@@ -11,10 +11,11 @@ namespace sim::surface::patch {
 /// the tightest.
 enum class FlatnessTest {
   kControlHull,  ///< Bounds are the extremes of the 16 control points.
-  /// Fat plane of paper 4, 4.1: exact extremes of the rows along v, then extremes of their hull
-  /// along u.
+  /// Fat plane of paper 4, 4.1: computes the exact extremes of each row along v. They are the
+  /// coefficients of two curves along u, whose extremes are the bounds.
   kFatPlane,
-  /// Both orders of the fat plane, u after v and v after u. Each bound is the tighter of the two.
+  /// Fat plane in both orders of the parameters, u after v and v after u. Each bound is the tighter
+  /// of the two bounds.
   kBothOrders,
 };
 
@@ -27,8 +28,8 @@ struct FatPlane {
 };
 
 /// Returns the unit normal of the patch's diagonals, (V33 − V00) × (V30 − V03). If the diagonals
-/// are parallel or 0, returns the unit normal of the derivatives in the middle of the patch. If
-/// these are parallel or 0, too, returns +Z.
+/// are parallel or 0, returns the unit normal of the derivatives in the middle of the patch. If the
+/// derivatives are parallel or 0, too, returns +Z.
 [[nodiscard]] Eigen::Vector3d normal_of(const BezierPatch& patch);
 
 /// Returns a fat plane that contains the complete patch.

@@ -28,7 +28,7 @@ Filter filter_at(std::size_t place, std::size_t reach, std::size_t count) {
   const double scale = 1.0 / static_cast<double>(reach);
   const auto powers_at = [&](std::size_t i) {
     const double x = scale * (static_cast<double>(filter.first + i) - static_cast<double>(place));
-    // With few points in the window, only the lower powers can be determined.
+    // If the window has few points, they determine only the coefficients of the lower powers.
     return Eigen::Vector4d{1.0, x, length > 2 ? x * x : 0.0, length > 3 ? x * x * x : 0.0};
   };
   Eigen::Matrix4d normal = Eigen::Matrix4d::Zero();

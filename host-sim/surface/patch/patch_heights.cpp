@@ -190,8 +190,9 @@ std::optional<double> PatchHeights::height(const Vector2d& place, Hint& hint) co
   std::optional<double> found = height_from(place, last_, at);
   if (!found || !is_on(at)) found = height_within(place, at);
   if (!found) {
-    // Outside a curved rim there may be several solutions. The search starts at a point that
-    // depends only on `place`, so that the result does not depend on the hint.
+    // Outside a curved rim, several points of the continued surface may be over `place`. The search
+    // starts at a point that depends only on `place`, so that the result does not depend on the
+    // hint.
     at = nearest_of_rim(place);
     found = height_from(place, last_, at);
   }

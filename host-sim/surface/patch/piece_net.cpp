@@ -57,7 +57,8 @@ class PieceNet::Builder {
   }
 
  private:
-  /// A corner of a piece, as a point on a line of constant u or constant v through the corner.
+  /// A corner of a piece. It is given by a line of constant u or constant v through the corner, and
+  /// by the value of the other parameter.
   struct Stop {
     bool is_at_u = false;  ///< Whether u is constant on the line; otherwise v is constant.
     double line = 0.0;

@@ -21,8 +21,8 @@ struct Chord {
   double error_bound = 0.0;
 };
 
-/// A point at which the plane cuts an edge. A chord ends there on each side of the edge. At the rim
-/// of the surface, there is only one chord.
+/// A point at which the plane cuts an edge. On each side of the edge, a chord ends at this point.
+/// At the rim of the surface, there is only one chord.
 struct Hit {
   Vector3d point = Vector3d::Zero();
   std::array<std::uint32_t, 2> chords{kNoChord, kNoChord};

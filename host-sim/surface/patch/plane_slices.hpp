@@ -23,9 +23,9 @@ struct SlicePath {
 /// thus has no gaps: it ends at the surface's rim or is closed.
 ///
 /// The plane may cut the border of a piece at more than two points, a case that the paper excludes.
-/// The chords of this piece then cut off the parts of its border that are on the other side of the
-/// plane than its middle. A curve within one piece, for example at the top of a dome, is left out.
-/// The surface exceeds the plane there by no more than the piece's flatness.
+/// The chords of this piece then cut off the parts of its border that are on the opposite side of
+/// the plane from its middle. A curve within one piece, for example at the top of a dome, is left
+/// out. The surface exceeds the plane there by no more than the piece's flatness.
 /// @param normal normal of the planes, of length 1
 [[nodiscard]] std::vector<std::vector<SlicePath>> plane_slices(
     const PieceNet& net, const Eigen::Vector3d& normal, const std::vector<double>& distances_mm);

@@ -14,10 +14,10 @@ namespace {
 
 using Eigen::Vector3d;
 
-/// Ratio of the halves' error to the error before the split up to which a direction of a split
-/// helps. The worse direction is tried only if both directions help or neither does. For a ruled
-/// patch, halving the curved parameter leaves a quarter of the error; halving the straight
-/// parameter leaves all of it.
+/// Maximum ratio of the halves' error to the error before the split at which a direction of a split
+/// counts as helpful. The direction with the greater error is tried only if both directions help or
+/// neither does. For a ruled patch, halving the curved parameter leaves a quarter of the error;
+/// halving the straight parameter leaves the complete error.
 constexpr double kHelpfulShare = 0.9;
 
 /// Part number `index`, counted from 0, of the 2^halvings equal parts of an interval.
@@ -70,8 +70,8 @@ double diameter(const BezierPatch& patch) {
 }
 
 /// Finds a division of a patch into few flat pieces by repeated halving, with dynamic programming
-/// over the rectangles. The count of the pieces of a split stops when it exceeds the count of
-/// another split.
+/// over the rectangles. Counting the pieces of a split stops when the count exceeds the number of
+/// pieces of another split.
 class FewestPieces {
  public:
   FewestPieces(const GridPatch& patch, const FlatnessLimit& limit) : patch_{patch}, limit_{limit} {}
@@ -100,7 +100,7 @@ class FewestPieces {
   struct Choice {
     double error = 0.0;
     std::uint32_t pieces = 0;  ///< Number of pieces; 0 until it is known.
-    /// Lower limit from a stopped count: the number of pieces exceeds it.
+    /// Limit at which a count stopped: the number of pieces is greater.
     std::uint32_t more_than = 0;
     Split split = Split::kNone;
   };

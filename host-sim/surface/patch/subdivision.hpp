@@ -22,8 +22,9 @@ struct FlatnessLimit {
   double tolerance_mm = 0.5;
   FlatnessTest test = FlatnessTest::kBothOrders;
   /// Unit normal of the slicing planes. With a value, the tolerance applies to distances within the
-  /// slicing planes. The thickness of an oblique fat plane is greater in this direction. Without a
-  /// value, the tolerance applies along the fat plane's normal, as in paper 4.
+  /// slicing planes. Measured in an oblique slicing plane, the thickness of a fat plane is greater
+  /// than along its normal. Without a value, the tolerance applies along the fat plane's normal, as
+  /// in paper 4.
   std::optional<Eigen::Vector3d> slicing_normal = std::nullopt;
   /// Lower limit of the sine of the angle between a piece and the slicing planes. The error within
   /// the slicing planes is the thickness divided by the sine. Without the limit, a piece that is
@@ -41,8 +42,9 @@ struct FlatnessLimit {
 [[nodiscard]] std::vector<GridPatch> quartered(const GridPatch& patch, const Excess& excess);
 
 /// Divides a patch into flat pieces by splits in two. Tries sequences of halvings and returns the
-/// sequence with the fewest pieces, which are never more than by splits in four. The worse of the
-/// two directions is tried only if both directions make the halves flatter or neither does.
+/// pieces of the sequence with the fewest pieces. Their number never exceeds the number by splits
+/// in four. The worse of the two directions is tried only if both directions make the halves
+/// flatter or neither does.
 [[nodiscard]] std::vector<GridPatch> halved(const GridPatch& patch, const FlatnessLimit& limit);
 
 /// Divides all patches into flat pieces by splits in two, see halved().

@@ -10,8 +10,9 @@ namespace {
 
 using Eigen::Vector3d;
 
-/// Maximum number of Gauss-Newton steps. Each step reduces the error by about the distance divided
-/// by the radius of curvature. If the steps do not converge, divisions of the patch find the foot.
+/// Maximum number of Gauss-Newton steps. Each step multiplies the error by about the ratio of the
+/// distance to the radius of curvature. If the steps do not converge, divisions of the patch find
+/// the foot.
 constexpr int kMaxFootSteps = 12;
 /// Maximum number of successive divisions of a patch in four. The parts are then as small as the
 /// rounding error of their points.
@@ -87,7 +88,7 @@ struct SurfaceDistance::Part {
   Interval u;
   Interval v;
   int divisions = 0;
-  double least = 0.0;  ///< Lower bound of the distance to the part.
+  double least = 0.0;  ///< Lower bound of the distance between the searched point and the part, mm.
 
   [[nodiscard]] Part quarter(bool far_u, bool far_v) const {
     const auto half = [](Interval whole, bool far) {
@@ -157,7 +158,9 @@ void SurfaceDistance::search_patch(std::uint32_t number, Search& search) const {
     std::pop_heap(search.open.begin(), search.open.end());
     const Part part = search.open.back();
     search.open.pop_back();
-    if (part.least > search.bound()) return;  // All remaining parts are at least as far away.
+    // The lower bound of each remaining part is at least part.least, so that no part contains a
+    // nearer point.
+    if (part.least > search.bound()) return;
     for (const bool far_u : {false, true}) {
       for (const bool far_v : {false, true}) search.add(number, part.quarter(far_u, far_v));
     }

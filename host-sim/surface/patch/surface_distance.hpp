@@ -22,11 +22,12 @@ struct SurfacePoint {
 
 /// Computes distances of points from a composite surface.
 ///
-/// A search starts at a known point of the surface, usually the point with the same row and column,
-/// and moves it to the foot of the perpendicular. If this foot is not near enough, a tree of boxes
-/// selects few patches. These are divided in four while a part could be nearer than the nearest
-/// foot so far. A part cannot be nearer if all its control points are beyond a plane at that
-/// distance. This plane is perpendicular to the line from the point to the part's foot.
+/// A search starts at a known point of the surface, usually the point with the same row and column.
+/// It moves this point to the foot of the perpendicular. If this foot is not near enough, a tree of
+/// boxes selects few patches. These patches are divided in four while a part could be nearer than
+/// the nearest foot so far. A part cannot be nearer if all its control points are beyond a plane
+/// whose distance is that of this foot. The plane is perpendicular to the line from the point to
+/// the part's foot.
 class SurfaceDistance {
  public:
   /// @pre the surface has a patch and outlives this object

@@ -13,12 +13,12 @@ namespace sim::surface::patch {
 /// also split if the surface at a point's row and column is too far from the grid's triangles
 /// around the point.
 ///
-/// All patches at a corner use the same position, tangents and twist. These are estimated from the
-/// points around the corner or, for a hanging corner, taken from the coarser patch. A border and
-/// the derivatives across it are cubics with the same ends on both sides, so they are equal. The
-/// surface is therefore once continuously differentiable by row and column. Where these derivatives
-/// are linearly independent, the tangent plane is continuous, also between patches of different
-/// size.
+/// All patches at a corner use the same position, tangents and twist. These values are estimated
+/// from the points around the corner or, for a hanging corner, taken from the coarser patch. A
+/// border and the derivatives across it are cubics with the same ends on both sides, so they are
+/// equal. The surface is therefore once continuously differentiable by row and column. Where these
+/// derivatives are linearly independent, the tangent plane is continuous, also between patches of
+/// different size.
 ///
 /// The subdivision ends at the latest with one patch for each quadrilateral, because such a patch
 /// passes through its corners.

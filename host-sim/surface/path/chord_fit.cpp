@@ -18,8 +18,8 @@ struct Cone {
   Place left;
 };
 
-/// Returns points of the curve. They are so close to each other that a line within the tolerance of
-/// two neighbours is also within the tolerance of the curve between them.
+/// Returns points of the curve. The points are close to each other: if a line is within tolerance
+/// of two neighbouring points, it is also within tolerance of the curve between them.
 std::vector<Place> places_of(const cnc::contour::PlaneCurve& curve,
                              const SpanRange& spans,
                              double tolerance_mm) {

@@ -13,12 +13,12 @@ using Eigen::Vector3d;
 /// Distance, mm, within which the search locates a crease. Rises are computed over shorter
 /// distances.
 constexpr double kCreaseWidth = 5.0e-5;
-/// Rise, mm per mm, above which a jump of the heights is searched for, and rise over kCreaseWidth
-/// above which there is a jump.
+/// Rises, mm per mm. Above kMaybeWall, a jump of the heights is searched for. If the rise over
+/// kCreaseWidth exceeds kSurelyWall, there is a jump.
 constexpr double kMaybeWall = 3.0;
 constexpr double kSurelyWall = 1.0e3;
 
-/// Returns the angle between the normals of surfaces with two rises, radians.
+/// Returns the angle between the normals of two surfaces with the given rises, radians.
 double angle_between(const Vector2d& one, const Vector2d& other) {
   const Vector3d a{-one.x(), -one.y(), 1.0};
   const Vector3d b{-other.x(), -other.y(), 1.0};

@@ -7,7 +7,7 @@
 
 namespace sim::surface {
 
-/// A point of a crease: there, a tool touches the surface on both sides of a valley.
+/// A point of a crease. At this point, a tool touches the surface on both sides of a valley.
 struct CreasePlace {
   Eigen::Vector2d place = Eigen::Vector2d::Zero();
   /// Whether the point is at the foot of a vertical wall, where the heights jump.

@@ -174,8 +174,8 @@ class CreaseGrid {
 
   const CreaseFinder& finder_;
   double pitch_mm_;
-  /// Lower corner of the mesh's bounding box. Points of the grid beyond the box are moved to its
-  /// border.
+  /// Lower corner of the mesh's bounding box. Points of the grid beyond the box are moved to the
+  /// box's border.
   Vector2d min_ = Vector2d::Zero();
   Vector2d max_ = Vector2d::Zero();
   Vector2d first_ = Vector2d::Zero();

@@ -14,7 +14,7 @@ namespace {
 
 using Eigen::Vector2d;
 
-/// The connected parts of an area whose distance from the border exceeds a value.
+/// The connected parts of an area in which the distance from the border exceeds `value_mm`.
 class InnerParts {
  public:
   InnerParts(const DistanceMap& distances, double value_mm)
@@ -122,8 +122,8 @@ class LoopLayer {
     double to_mm = 0.0;
   };
 
-  /// Adds the lines at the distance `value_mm` around the parts whose greatest distance is in
-  /// `range`.
+  /// Adds the lines at the distance `value_mm` around the parts whose greatest distance from the
+  /// border is in `range`.
   void add_round(const DistanceMap& distances, double value_mm, Range range, std::size_t level) {
     const InnerParts parts{distances, value_mm};
     for (const IsoLine& line : lines_at(distances, value_mm)) {

@@ -16,9 +16,9 @@ using Eigen::Vector3d;
 
 constexpr double kNowhere = std::numeric_limits<double>::infinity();
 
-/// Returns the least distance value at the origin that reaches it over a straight side. The values
-/// at the ends of the side, `first` and `second`, are given; they vary linearly along the side. A
-/// straight path leads from the side to the origin.
+/// Returns the distance of the origin from the sources, by the best path over a side of a triangle.
+/// The distances of the side's ends `first` and `second` are given, and the distance varies
+/// linearly between them. The path is straight from the side to the origin.
 double distance_from_side(const Vector3d& first,
                           double first_value,
                           const Vector3d& second,

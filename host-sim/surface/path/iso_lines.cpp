@@ -64,8 +64,9 @@ class LineFinder {
     const bool joins_highs = alternates && has_high_middle_(node);
     for (std::size_t i = 0; i < 4; ++i) {
       if (side(i) != NodeSide::kHigh || side(i + 3) != NodeSide::kLow) continue;
-      // The line goes around the successive high corners from corner i on. If the cell is high in
-      // its middle, the line goes around the low corner instead.
+      // The line goes around the successive high corners from corner i on. If high and low corners
+      // alternate and the cell is high in its middle, the line goes around the preceding low corner
+      // instead.
       std::size_t last = i;
       while (side(last + 1) == NodeSide::kHigh) ++last;
       if (joins_highs) last = i + 2;

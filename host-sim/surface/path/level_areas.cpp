@@ -92,7 +92,8 @@ std::optional<Contour> LevelAreas::contour_at(double level_mm) {
     if (!loop.is_closed) return std::nullopt;
     if (append_loop(loop, set, contour)) continue;
     if (!is_tiny(loop)) return std::nullopt;
-    // A tiny area may be left out. A tiny island must not be left out.
+    // A tiny area may be left out. A tiny island must be kept, because the tip would cut into the
+    // surface there.
     if (area_of(loop.places) < 0.0 && !append_circle(loop, set, contour)) return std::nullopt;
   }
   return contour;
@@ -123,8 +124,9 @@ std::vector<ContourVertex> LevelAreas::fitted_to(const LevelCurve& curve) {
   return arcs.empty() || lines.size() < arcs.size() ? lines : arcs;
 }
 
-/// Returns whether `line` may continue with vertex `next`. It may if the line ends there; its last
-/// vertex is then removed. It also may if the tip may go straight to `next`.
+/// Returns whether `line` may continue with vertex `next`. This is the case if the line ends at
+/// `next` or if the tip may go straight to `next`. In the first case, removes the line's last
+/// vertex.
 bool LevelAreas::joins(std::vector<ContourVertex>& line,
                        const ContourVertex& next,
                        const LevelSet& set) const {

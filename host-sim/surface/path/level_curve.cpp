@@ -94,7 +94,8 @@ class CurveFollower {
       pending_.push_back(node_at((place_ + next.place) / 2));
       return;
     }
-    // Reach of the search relative to the length; enough for a narrow notch.
+    // Reach of the search, relative to the distance between the nodes. It is sufficient for a
+    // narrow notch.
     constexpr double kReach = 4.0;
     const Vector2d way = (next.node.place - last.place) / length;
     const auto middle =
@@ -143,10 +144,10 @@ class CurveFollower {
     return above >= -error && leaves_little(jet.place, to_low);
   }
 
-  /// Returns whether a point on the low side is near enough to the line: of the material that a
-  /// tool on the line would remove, a tool at the point leaves at most a layer of the permitted
-  /// error. The height is not sufficient, because a flat bottom is at the level at any distance
-  /// from a wall.
+  /// Returns whether a point on the low side is near enough to the line. Of the material that a
+  /// tool on the line would remove, a tool at the point may leave at most a layer of the permitted
+  /// error. The height of the tip is not a sufficient criterion, because a flat bottom is at the
+  /// level at any distance from a wall.
   [[nodiscard]] bool leaves_little(const Vector2d& place, const Vector2d& to_low) const {
     constexpr double kReach = 32.0;
     const double error = 0.5 * density_.error_mm;

@@ -27,8 +27,8 @@ double left_on_plane(const cnc::surface::Profile& tool, double slope, double dis
   const double across = distance_mm / slope;
   double greatest = 0.0;
   for (int i = 0; i < kLooks; ++i) {
-    // Horizontal distance from the axis of the lower pose. It runs from the contact of the lower
-    // pose to the contact of the higher pose.
+    // Horizontal distance of the sample from the axis of the lower pose. The samples are between
+    // the contact of the lower pose and the contact of the higher pose.
     const double beside = contact.out + across * (i + 0.5) / kLooks;
     const double left =
         std::min(height_beside(tool, beside), distance_mm + height_beside(tool, beside - across));

@@ -38,8 +38,9 @@ void open_near(const Eigen::Vector2d& here, LevelLoop& loop) {
   loop.is_closed = false;
 }
 
-/// A point of the surface above a level keeps the tip above the level within a disc. A disc that is
-/// as wide as a cell's diagonal contains a node, so that the grid finds the point.
+/// If a point of the surface is above a level, the tip is above the level within a disc around this
+/// point. A disc that is as wide as a cell's diagonal contains a node. The grid then finds the
+/// point.
 double level_pitch(const SurfaceTracer& tracer) {
   constexpr double kShareOfRadius = 0.125;
   const cnc::surface::Profile& tool = tracer.grown_tool();

@@ -30,8 +30,8 @@ struct LevelLoop {
 /// @pre the loop is closed
 void open_near(const Eigen::Vector2d& here, LevelLoop& loop);
 
-/// Returns the greatest distance between nodes of a grid at which a surface between the nodes is
-/// harmless if the grid misses it: the tip there exceeds a level by at most the band. A gap into
+/// Returns the greatest distance between nodes of a grid at which a missed part of the surface is
+/// harmless. Where the grid misses a part, the tip exceeds a level by at most the band. A gap into
 /// which the tool fits may be missed. Only a gap that is wider than the tool by an eighth of the
 /// tool's radius surely contains a node.
 [[nodiscard]] double level_pitch(const SurfaceTracer& tracer);

@@ -49,7 +49,7 @@ class LevelSet {
   const SurfaceTracer* tracer_;
   double level_mm_;
   const LevelBorder* border_;
-  /// Start of the next search; it affects the speed, but no result.
+  /// Start of the next search. It affects only the search's speed, not its result.
   mutable PathHeights::Hint hint_{};
 };
 

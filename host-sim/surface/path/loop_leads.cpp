@@ -66,8 +66,8 @@ std::optional<SurfaceStretch> LoopLeads::lead(const LoopEnd& end, double sense) 
       is_clear = is_free(place_after(share_of_way) + beside, end.level_mm);
     }
     const Vector2d away = place_after(1.0);
-    // The lead is inside the triangle of its ends and this corner. So the region check uses the two
-    // sides at the corner.
+    // The lead is inside the triangle of its two ends and `corner`. So the region check uses the
+    // triangle's sides at this corner.
     const Vector2d corner = end.place + sense * radius * end.tangent;
     if (!is_clear || !is_in_regions(end.place, corner) || !is_in_regions(corner, away)) continue;
     const double bulge = lines_only_ ? 0.0 : left_ * std::tan(0.25 * kRightAngle);

@@ -37,8 +37,9 @@ class LoopLeads {
   [[nodiscard]] std::optional<SurfaceStretch> lead_out(const LoopEnd& end) const;
 
   /// Returns the straight path between two positions of the tip in space. Returns nothing if the
-  /// path is longer in plan than 1.5 radii, because stock may be left between lines. Also returns
-  /// nothing if the path rises, would cut into the surface or would leave a region that bars links.
+  /// path is longer in plan than 1.5 times the tool's radius: it may lead over stock that is left
+  /// between lines. Also returns nothing if the path rises, would cut into the surface or would
+  /// leave a region that bars links.
   [[nodiscard]] std::optional<SurfaceStretch> way_between(const Eigen::Vector3d& from,
                                                           const Eigen::Vector3d& to) const;
 
@@ -56,7 +57,7 @@ class LoopLeads {
   bool lines_only_;
   double lift_mm_;
   const MilledRegions* regions_;
-  /// Start of the next search; it affects the speed, but no result.
+  /// Start of the next search. It affects only the search's speed, not its result.
   mutable PathHeights::Hint hint_{};
 };
 

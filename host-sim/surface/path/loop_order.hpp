@@ -37,8 +37,8 @@ class LoopOrder {
   /// Number of loops that must be milled before a loop, for each loop.
   std::vector<std::size_t> waits_for_;
   std::vector<bool> is_taken_;
-  /// Groups of loops that may be milled. Each group waited for the same loop; the last group is
-  /// milled first.
+  /// Groups of loops that may be milled. All loops of a group waited for the same loop. The last
+  /// group is milled first.
   std::vector<std::vector<std::size_t>> ready_;
   std::size_t first_left_ = 0;
 };

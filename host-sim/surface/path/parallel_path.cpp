@@ -23,10 +23,10 @@ using Eigen::Vector2d;
 constexpr double kLinkSteps = 4.0;
 /// Greatest deviation of a straight path from a line, in steps.
 constexpr double kStraightShare = 0.01;
-/// Number of distances between nodes of the grid in a step.
+/// Length of a step, in distances between neighbouring nodes of the grid.
 constexpr double kNodesPerStep = 7.0;
-/// Distance between lines, in steps. It is below 1, because a point between right-angled corners of
-/// two lines is 0.59 of their distance away from both lines.
+/// Distance between lines, in steps. It is below 1, because a point between the right-angled
+/// corners of two neighbouring lines may be 0.59 times the lines' distance away from both lines.
 constexpr double kNearer = 0.9;
 /// Maximum distance of a point from a line, in steps. It allows the distance between right-angled
 /// corners, kNearer · 0.59, because additional lines at all these corners would be many.

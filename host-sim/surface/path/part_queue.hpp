@@ -44,7 +44,8 @@ class PartQueue {
   Next take(std::size_t index, bool goes_back);
 
   std::vector<RowPart> parts_;  ///< All parts, sorted by row, then by position along the row.
-  /// Link of each part towards the next waiting part above it; the part's own index if it waits.
+  /// Link of each part towards the next waiting part above it; the part's own index if the part
+  /// waits.
   std::vector<std::size_t> above_;
   /// Link of each part towards the next waiting part below it. Entries are indices plus one; 0
   /// means that there is no part.

@@ -26,8 +26,8 @@ double length_of(const CreaseLine& line) {
   return length;
 }
 
-/// Joins lines whose ends are at most `max_mm` apart. A short branch that was left out has divided
-/// such lines.
+/// Joins lines whose ends are at most `max_mm` apart. The lines were divided at a short branch,
+/// which was left out.
 void join_lines(std::vector<CreaseLine>& lines, double max_mm) {
   const auto is_near = [max_mm](const CreasePlace& one, const CreasePlace& other) {
     return (one.place - other.place).norm() <= max_mm;
@@ -127,8 +127,8 @@ class CreaseDrawer {
     return fine;
   }
 
-  /// Returns a point of the line. At a wall, it is moved by half the tolerance to the low side, so
-  /// that chords stay on the low side.
+  /// Returns a point of the line. At a wall, the point is moved by half the tolerance to the low
+  /// side, so that chords stay on the low side.
   [[nodiscard]] Vector2d shifted(const CreaseLine& line, std::size_t index) const {
     const Vector2d& place = line[index].place;
     if (!line[index].is_wall) return place;
@@ -146,7 +146,7 @@ class CreaseDrawer {
   double tolerance_mm_;
 };
 
-/// Plans the path along lines. The nearest line is always the next one.
+/// Plans the path along lines. The nearest remaining line always comes next.
 class PencilDriver {
  public:
   PencilDriver(const Mesh& mesh, const RowOptions& options)

@@ -10,8 +10,8 @@
 namespace sim::surface {
 namespace {
 
-/// Returns whether any point of the border or the rows of `lower` is inside `upper`, or at most
-/// `near_mm` outside.
+/// Returns whether any point of the border or the rows of `lower` is inside `upper`, or outside
+/// `upper` by at most `near_mm`.
 bool meets(const RoughArea& lower, const pocket::OwnedArea& upper, double near_mm) {
   const auto is_in = [&](const auto& vertex) { return upper->depth(vertex.point()) >= -near_mm; };
   return std::ranges::any_of(lower.locus.vertices, is_in) ||

@@ -35,8 +35,8 @@ class RoughOrder {
   RoughOrder(std::vector<RoughArea>& areas, const RoughStock& stock, double near_mm);
 
   /// Returns the indices of the areas in the order of milling. An area comes after all areas of the
-  /// level above that overlap it. After an area, the areas below it come first, beginning with the
-  /// nearest one.
+  /// level above that overlap it. After an area, the areas below it follow, beginning with the
+  /// nearest area.
   [[nodiscard]] std::vector<std::size_t> order() const;
 
  private:

@@ -20,7 +20,7 @@ using Eigen::Vector2d;
 /// Maximum length of a link over the surface, in steps. The path to a row that is farther away
 /// begins with a lift.
 constexpr double kMaxLinkSteps = 4.0;
-/// Share of the progress for finding the parts of rows.
+/// Share of the reported progress that belongs to the search for the parts of rows.
 constexpr double kSearchShare = 0.25;
 
 /// Lays rows over a surface and links them.
@@ -74,8 +74,8 @@ class RowPlanner {
     }
   }
 
-  /// Adds all rows. Additional rows between two others come last, because they mill the stock that
-  /// the others have left.
+  /// Adds all rows. Additional rows between two rows come last, because they mill the stock that
+  /// the two rows have left.
   void add_rows() {
     std::vector<RowPart> rows;
     std::vector<RowPart> between;
@@ -128,9 +128,9 @@ class RowPlanner {
     }
   }
 
-  /// Mills parts of rows. Without a milling direction, begins at the lowest row, and the nearest
-  /// part is always next. With a direction, mills row by row: upwards for conventional milling,
-  /// downwards for climb milling.
+  /// Mills parts of rows. Without a milling direction, begins at the lowest row and always
+  /// continues with the nearest part. With a direction, mills row by row: upwards for conventional
+  /// milling, downwards for climb milling.
   void mill(std::vector<RowPart> parts) {
     const bool is_climb = options_.direction == cnc::pocket::Milling::kClimb;
     PartQueue queue{std::move(parts)};

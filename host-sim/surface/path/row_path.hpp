@@ -34,19 +34,19 @@ struct RowOptions {
   /// Maximum distance between rows in plan; with a scallop limit, it may be 0: no limit.
   double step_mm = 0.5;
   /// Maximum scallop, > tolerance; 0: no limit. The scallop is the height of the stock between
-  /// rows, perpendicular to the surface, without the stock that the tool would also leave if it
-  /// went everywhere. Where the surface is steep across the rows, up to 127 rows are added between
-  /// two others.
+  /// rows, perpendicular to the surface. It excludes stock that the tool would leave even with
+  /// arbitrarily close rows. Where the surface is steep across the rows, up to 127 rows are added
+  /// between two neighbouring rows.
   double scallop_mm = 0.0;
   double angle_rad = 0.0;  ///< Angle from +X to the rows, counter-clockwise.
   double margin_mm = 0.0;  ///< Distance by which rows extend beyond the surface's box in plan.
-  /// Lowest height of the tip, and its height where nothing is under the tool. Without a floor,
-  /// rows end where nothing is under the tool.
+  /// Lowest height of the tip; also the tip's height where nothing is under the tool. Without a
+  /// floor, rows end where nothing is under the tool.
   std::optional<double> floor_mm;
   RowOrder order = RowOrder::kZigzag;
-  /// Climb or conventional milling: the side of a line on which the stock for later lines is. With
-  /// a value, all rows go in the same direction. Without a value, rows may go in both directions,
-  /// and lines of constant height or distance are climb milled.
+  /// Climb or conventional milling. It determines the side of a line on which the stock for later
+  /// lines is. With a value, all rows go in the same direction. Without a value, rows may go in
+  /// both directions, and lines of constant height or distance are climb milled.
   std::optional<cnc::pocket::Milling> direction;
   MilledRegions regions;  ///< Regions to which the path is limited.
   /// Top of the stock; without a value, the highest point of the surface.
@@ -56,8 +56,8 @@ struct RowOptions {
   /// rows for scallops.
   double layer_mm = 0.0;
   bool lines_only = false;  ///< Whether to use lines only, without arcs.
-  /// A smooth surface that replaces the exact heights of the tip, for the same points and the tool
-  /// of traced_tool(); null: exact heights. The band of the smooth surface adds to the air below
+  /// Smooth surface that replaces the exact heights of the tip; null: exact heights. It must belong
+  /// to the same points and to the tool that traced_tool() returns. Its band adds to the air below
   /// the path.
   std::shared_ptr<const SmoothTips> smooth;
   /// Callback for progress: called with the finished share of the work, 0 to 1.

@@ -43,13 +43,14 @@ ScallopRows::ScallopRows(const SurfaceTracer& tracer,
       frame_{frame},
       tool_{tool},
       scallop_mm_{scallop_mm},
-      // At this distance between samples, the computed stock exceeds the stock after continuous
-      // motion only slightly.
+      // This distance between samples is so small that the computed stock exceeds the stock after
+      // continuous motion only slightly.
       look_mm_{std::min(0.125 * tool.radius_mm, std::sqrt(0.24 * tool.radius_mm * scallop_mm))} {}
 
-/// Two rows and checked lines between them, with the heights of the tip at equal distances along
-/// each. A ball leaves the most stock half way between the rows, so that one line is enough. A tool
-/// with a flat bottom needs more lines, because it touches at other points.
+/// Two rows, the lines between them at which the stock is checked, and the heights of the tip at
+/// equal distances along rows and lines. A ball leaves the most stock half way between the rows, so
+/// that one line is enough. A tool with a flat bottom needs more lines, because it touches at other
+/// points.
 class ScallopRows::Strip {
  public:
   Strip(const ScallopRows& rows, const Gap& gap)
@@ -102,7 +103,7 @@ class ScallopRows::Strip {
   }
 
   /// Returns the height, perpendicular to the surface, of the stock that the two rows leave above
-  /// the point of contact. `rise` is the rise of the surface there.
+  /// the point of contact. `rise` is the rise of the surface at this point.
   [[nodiscard]] double left_beside(std::size_t from, int index, const Eigen::Vector2d& rise) const {
     const double slope = rise.norm();
     const cnc::surface::PlaneContact contact = contact_with_plane(rows_.tool_, slope);

@@ -15,7 +15,7 @@ struct Cubic {
   Node to;
 
   /// Limits the slopes at the ends, so that the cubic does not rise far above both ends. Next to a
-  /// jump, the measured slope may be that of the jump.
+  /// jump of the heights, the measured slope may be the slope of the jump.
   Cubic(const Node& begin, const Node& end, double error_mm) : from{begin}, to{end} {
     const double most = (3.0 * std::abs(to.height - from.height) + 6.0 * error_mm) / width();
     from.slope = std::clamp(from.slope, -most, most);
@@ -99,9 +99,10 @@ class CurveBuilder {
     return true;
   }
 
-  /// Returns whether the heights pass a point of the curve within the error, above, below or at the
-  /// side. The reverse check, from a height to the curve, is not sufficient: the curve may cut off
-  /// the corner between a jump and a plateau while the heights on the plateau are near the curve.
+  /// Returns whether the heights pass a point of the curve at a distance within the error,
+  /// vertically or horizontally. The reverse check, from a height to the curve, is not sufficient:
+  /// the curve may cut off the corner between a jump and a plateau while the heights on the plateau
+  /// are near the curve.
   [[nodiscard]] bool is_near(double along, double height) {
     const double error = 0.5 * density_.error_mm;
     const double off = height - heights_(along);

@@ -12,8 +12,8 @@ namespace sim::surface {
 /// points, because each search begins with the last touched facet.
 class SliceHeights {
  public:
-  /// @param floor_mm lowest height of the tip, and its height where nothing is under the tool.
-  /// Without a floor, such points have no height.
+  /// @param floor_mm lowest height of the tip; also the tip's height where nothing is under the
+  /// tool. Without a floor, the tip has no height at such points.
   /// @pre the heights outlive this object
   SliceHeights(const PathHeights& heights, const Slice& slice, std::optional<double> floor_mm)
       : heights_{&heights}, slice_{slice}, floor_mm_{floor_mm.value_or(cnc::surface::kNoContact)} {}

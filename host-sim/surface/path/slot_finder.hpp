@@ -23,7 +23,7 @@ class SlotFinder {
   /// stock is on both sides of any point of the element, else kRow.
   [[nodiscard]] StretchUse use_of(const ContourVertex& from, const ContourVertex& to);
 
-  /// Ends a run, because the next element does not begin at the end of the last element.
+  /// Ends a run. Must be called if the next element does not begin at the end of the last element.
   void end_run();
 
  private:

@@ -46,8 +46,8 @@ double SmoothTips::height(const Eigen::Vector2d& place, double exact_mm, Hint& h
   const std::optional<double> found = heights_.height(place, hint.patches);
   const double smooth = found ? *found - lift_mm_ : exact_mm;
   if (smooth <= exact_mm) return exact_mm;
-  // The larger tool has contact at least at the exact height. So its height need not be computed
-  // here.
+  // The contact height of the larger tool is at least the exact height. So this height need not be
+  // computed here.
   if (smooth <= exact_mm + ceiling_lift_mm_) return smooth;
   return std::clamp(smooth, exact_mm, ceiling_.tip_height(place, hint.ceiling) + ceiling_lift_mm_);
 }

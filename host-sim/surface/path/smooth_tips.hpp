@@ -37,7 +37,7 @@ class SmoothTips {
   /// @param exact_mm exact height of the tool's tip over `place`
   [[nodiscard]] double height(const Eigen::Vector2d& place, double exact_mm, Hint& hint) const;
 
-  /// Returns the patches, which are the surface of the raised tip.
+  /// Returns the patches. They form the smooth surface of the raised tip's positions.
   [[nodiscard]] const patch::PatchSurface& patches() const { return heights_.surface(); }
   /// tips() returns the raised tip positions to which the patches are fitted. fit_mm() returns the
   /// tolerance of the fit.

@@ -187,8 +187,8 @@ class RunWriter {
   void write_element(const cut::Stroke& stroke) {
     const Written written = writer_.cut(stroke.from, stroke.to, stroke.bulge);
     if (written.ok() || written.error() != WriterError::kTooFlat) return take(written, stroke.to);
-    // The centre of such a flat arc is too far away. Lines within half a last digit replace the
-    // arc.
+    // The centre of such a flat arc is too far away for a program. Lines replace the arc, within
+    // half a unit of the last digit.
     const double height = 0.5 * std::abs(stroke.bulge) * cut::length_of(stroke);
     const double lines = std::ceil(std::sqrt(2.0 * height / digit_mm_));
     for (double i = 0.0; i < lines; i += 1.0) {

@@ -13,9 +13,9 @@ namespace sim::surface {
 namespace {
 
 /// Returns the permitted error of the sampled heights and of the curve through them, relative to
-/// the band. It limits how far the surface may reach into the tool between samples, and the curve's
-/// deviation from the samples. A cone gets a larger error, because it needs samples as close to
-/// each other as the error.
+/// the band. It limits two distances: the distance by which the surface may reach into the tool
+/// between samples, and the curve's deviation from the samples. A cone gets a larger error, because
+/// the distance between its samples is about the error.
 double error_share_of(const cnc::surface::Profile& profile) {
   return profile.rise > 0.0 ? 0.15 : 0.05;
 }

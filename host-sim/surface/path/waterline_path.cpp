@@ -114,8 +114,8 @@ class WaterlinePlanner {
     const bool is_first = path_.stretches.empty();
     const Eigen::Vector3d here = is_first ? tip : path_.stretches.back().end();
     if (!is_first && here == tip) return;
-    // A link may descend by at most one level, because stock as high as several levels may be left
-    // below.
+    // A link may descend by at most one level, because stock that is several levels high may be
+    // left below a longer descent.
     if (!is_first && here.z() - tip.z() <= level_distance_mm_ + kSameHeight) {
       if (auto way = leads_.way_between(here, tip)) {
         path_.stretches.push_back(std::move(*way));

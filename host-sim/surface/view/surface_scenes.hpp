@@ -18,7 +18,8 @@ namespace sim::surface {
 
 /// Returns the picture of the positions of a tool's tip over the points of a grid. Without a grid,
 /// the points are a regular grid over the mesh's bounding box, without points at which nothing is
-/// under the tool. Throws std::invalid_argument if nothing is under the tool at all points.
+/// under the tool. Throws std::invalid_argument if there is no point at which something is under
+/// the tool.
 [[nodiscard]] SpaceScene offset_scene(const Mesh& mesh,
                                       const std::optional<PointGrid>& grid,
                                       const cnc::surface::Profile& tool);

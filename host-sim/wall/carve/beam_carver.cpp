@@ -12,8 +12,8 @@ namespace {
 
 using Eigen::Vector3d;
 
-/// Greatest lean of a beam's side, in radians, for which a stroke is divided exactly. Beams that
-/// lean more are divided as if their side had this lean.
+/// Greatest lean of a beam's side, in radians, for which a stroke is divided exactly. If the side
+/// leans more, the stroke is divided as if the side had this lean.
 constexpr double kSteepest = 1.4;
 
 /// Returns the number of the first cell whose middle is at or after the coordinate `place`, from 0

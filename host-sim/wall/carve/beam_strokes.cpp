@@ -16,7 +16,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-/// Minimum Z of a unit vector along the axis. Below it, the axis counts as horizontal.
+/// Minimum Z of a unit vector along the axis. Below this minimum, the axis counts as horizontal.
 constexpr double kMinRise = 1.0e-3;
 
 /// Returns whether a line that is not a beam ends the current stroke.

@@ -18,8 +18,8 @@ inline constexpr std::size_t kMaxColumnBytes = std::size_t{1} << 30;
 /// bytes, and each range after the first range takes 24 more.
 class Columns {
  public:
-  /// Returns the reason, with a remedy, why columns for a block are not possible; empty if they are
-  /// possible.
+  /// Returns the reason, with a remedy, why a block cannot be represented by columns of this cell
+  /// size; empty if it can.
   [[nodiscard]] static std::string fault_of(const stock::StockBox& box, double cell_mm);
 
   /// Creates the columns of an uncut block, whose sides are divided into equal cells no longer than

@@ -72,7 +72,7 @@ std::vector<std::array<Vector2d, 2>> section_of(const surface::Mesh& mesh,
     for (std::size_t i = 0; i < 3; ++i) {
       const Vector3d a = seen(mesh.points[facet[i]]);
       const Vector3d b = seen(mesh.points[facet[(i + 1) % 3]]);
-      // A point exactly on the section counts as left of it.
+      // A point exactly on the section plane counts as left of the plane.
       if ((a.y() < 0.0) == (b.y() < 0.0) || count == ends.size()) continue;
       const double share = a.y() / (a.y() - b.y());
       const Vector3d on = a + share * (b - a);

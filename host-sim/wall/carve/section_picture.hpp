@@ -9,7 +9,7 @@
 
 namespace sim::wall {
 
-/// A carved block and the line of text below its section.
+/// A carved block, and a line of text that is written below the picture of its section.
 struct CarvedSection {
   const Columns* columns = nullptr;  ///< Columns of the block; never null.
   std::string caption;

@@ -12,7 +12,8 @@ using Eigen::Vector3d;
 constexpr double kEndlessMm = std::numeric_limits<double>::infinity();
 
 /// Returns the lower and the upper root of a x² + 2 b x + c. If a is 0, returns the range in which
-/// the polynomial is at most 0. Returns nothing if there is no root or no range.
+/// the polynomial is at most 0. Returns nothing if a > 0 and there is no root, or if a is 0 and
+/// there is no range.
 std::optional<HeightRange> roots_of(double a, double b, double c) {
   if (a == 0.0) {
     if (b == 0.0 && c > 0.0) return {};
@@ -25,8 +26,8 @@ std::optional<HeightRange> roots_of(double a, double b, double c) {
   }
   const double square = b * b - a * c;
   if (square < 0.0 && a > 0.0) return {};
-  // A line through the apex of a cone has a double root. Rounding may make its square negative,
-  // which then counts as 0.
+  // For a line through the apex of a cone, the polynomial has a double root. If rounding makes the
+  // discriminant `square` negative, it counts as 0.
   const double sum = -(b + std::copysign(std::sqrt(std::max(0.0, square)), b));
   const double near = sum == 0.0 ? 0.0 : c / sum;
   return HeightRange{std::min(near, sum / a), std::max(near, sum / a)};
@@ -90,8 +91,8 @@ void SweptCone::take_share(const Line& line, double share, HeightRange& range) c
   take(high, range);
 }
 
-/// Extends `range` by the extreme heights of the conic: there, a line of constant height touches
-/// it.
+/// Extends `range` by the extreme heights of the conic, at which a line of constant height touches
+/// the conic.
 void SweptCone::take_tangents(const Line& line, HeightRange& range) const {
   if (!(c_ > 0.0)) return;
   const auto roots =
@@ -107,14 +108,14 @@ void SweptCone::take_tangents(const Line& line, HeightRange& range) const {
   }
 }
 
-/// Extends `range` by the heights at which the vertical line passes the disc that ends the cone at
-/// `along_mm`, for all positions of the tip.
+/// Extends `range` by the heights at which the vertical line intersects the disc that ends the cone
+/// at `along_mm`, for all positions of the tip.
 void SweptCone::take_end(const Line& line,
                          const Vector2d& out,
                          double along_mm,
                          HeightRange& range) const {
-  // At the fraction s of the tip's path, the line passes the plane of the disc at start + s pace,
-  // relative to the disc's centre.
+  // At the fraction s of the tip's path, the line intersects the plane of the disc at the point
+  // start + s · pace. Both vectors are relative to the disc's centre.
   const double start_height = (along_mm - line.along) / cone_.axis.z();
   const double pace_height = climb_ / cone_.axis.z();
   const Vector3d start = Vector3d{out.x(), out.y(), start_height} - along_mm * cone_.axis;

@@ -28,9 +28,9 @@ struct CutCone {
 /// The body that a cut cone sweeps while its tip moves along a line and its axis keeps its
 /// direction.
 ///
-/// The heights on a vertical line are exact except for rounding. The pairs of a height and a
-/// fraction of the tip's path for which the line is inside the cone form a convex region of a
-/// plane. This region is bounded by lines and a conic, so that its lowest and highest points are
+/// The heights on a vertical line are exact except for rounding. Consider the pairs of a height and
+/// a fraction of the tip's path for which the line is inside the cone. They form a convex region of
+/// a plane. This region is bounded by lines and a conic, so that its lowest and highest points are
 /// among few candidates.
 class SweptCone {
  public:

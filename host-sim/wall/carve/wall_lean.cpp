@@ -14,7 +14,7 @@ using Eigen::Vector2d;
 constexpr double kInDegrees = 180.0 / std::numbers::pi;
 
 /// Distance, in cells, beyond the limit of the search outwards. Columns up to this distance are
-/// included, so that the middle of at least one column is outside the drawn wall.
+/// included in the search, so that the middle of at least one column is outside the drawn wall.
 constexpr double kSightCells = 1.0;
 
 /// A column near a section, and its distance from the wall.
@@ -99,7 +99,7 @@ void add_points(const Columns& columns,
 }
 
 /// Returns the section through a carved wall at `place`.
-/// @param near columns near the section, the outermost one first
+/// @param near columns near the section, the outermost column first
 Section section_of(const Columns& columns,
                    const std::vector<NearColumn>& near,
                    const WallPlace& place) {
@@ -144,8 +144,8 @@ WallLean fitted(const std::vector<SectionPoint>& points, double cell_mm) {
 
 /// Returns the mean lean of all lines that pass between two columns of the section: the column at
 /// `last_free`, which has no material in the upper half of the wall, and the column at
-/// `first_full`, which is full there. If the section has a point, only lines through its first
-/// point count.
+/// `first_full`, which is full in this half. If the section has a point, only lines through its
+/// first point count.
 std::optional<WallLean> between_columns(const Section& section, const WallPlace& place) {
   const double height = place.high_mm - place.low_mm;
   const double gap = section.last_free - section.first_full;

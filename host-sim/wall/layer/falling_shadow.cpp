@@ -152,8 +152,8 @@ std::vector<Contour> FallingShadow::lower_to(double height_mm) {
   stock.insert(bp::rectangle_data<int>{
       stock_.first.x(), stock_.first.y(), stock_.second.x(), stock_.second.y()});
   const double stock_area = area_in(stock);
-  // The polygon sweep of Boost may fail, which the areas reveal. It is then repeated with X and Y
-  // swapped.
+  // The polygon sweep of Boost may fail. If the areas show a failure, the sweep is repeated with X
+  // and Y swapped.
   for (const bool is_swapped : {false, true}) {
     const PolygonSet cleaned = sum_of({&section}, is_swapped);
     // Without overhangs, the part above the plane is completely within the section.
@@ -205,9 +205,10 @@ void FallingShadow::insert(const SectionLoop& loop, PolygonSet& set) const {
   if (area != 0.0) set.insert(polygon_of(points), area < 0.0);
 }
 
-/// Passes the overhanging facets that reach above a height. Facets completely above the height are
-/// added to hidden_, because they hide the area below them from now on. They share their corners
-/// with their neighbours, so that there are no gaps between them.
+/// Moves the plane down to a height: adds the overhanging facets that reach above it to open_.
+/// Moves facets that are completely above the height from open_ to hidden_, because they hide the
+/// area below them at all lower heights. Neighbouring facets have common corners, so that their
+/// areas leave no gaps.
 void FallingShadow::pass_facets(double height_mm) {
   while (passed_ < overhanging_.size() && top_of(overhanging_[passed_]) > height_mm) {
     open_.push_back(overhanging_[passed_++]);

@@ -29,9 +29,9 @@ struct StrokeOptions {
   bool has_contour = true;
 };
 
-/// Makes the strokes of layers, one layer after another. Hatch lines come first, the nearest part
-/// of a line always next; then come the contours along the walls. The borders of the stock are not
-/// walls.
+/// Makes the strokes of layers, one layer after another. Hatch lines come first, and the nearest
+/// remaining part of a line is always the next stroke. The contours along the walls follow. The
+/// borders of the stock are not walls.
 class LayerStrokes {
  public:
   /// @param stock rectangle of the stock

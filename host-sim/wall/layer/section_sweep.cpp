@@ -81,8 +81,8 @@ std::vector<SectionLoop> SectionSweep::loops_at(double height_mm) {
     for (Segment* segment = &first; !segment->is_taken;) {
       segment->is_taken = true;
       loop.push_back(crossing_of(segment->from, height_mm));
-      // If more than two facets share an edge, several segments begin on it, and the same number of
-      // segments end on it. Any free segment continues the loop.
+      // If more than two facets share an edge, several segments begin on this edge, and the same
+      // number of segments end on it. Any free segment continues the loop.
       const auto next =
           std::ranges::find_if(std::ranges::lower_bound(segments, segment->to, {}, &Segment::from),
                                segments.end(),

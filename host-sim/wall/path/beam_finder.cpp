@@ -73,9 +73,9 @@ std::optional<TipBeam> BeamFinder::nearest_to(const Vector3d& axis, const Vector
   return found;
 }
 
-/// Returns the beam of least overlap. Its axis is the clear axis of the greatest half angle that
-/// has one; `left_rad` is the difference from the required half angle. Returns the upright beam if
-/// no half angle has a clear axis.
+/// Returns the beam of least overlap. Its axis is the clear axis for the greatest half angle for
+/// which an axis is clear; `left_rad` is the difference from the required half angle. Returns the
+/// upright beam if no half angle has a clear axis.
 TipBeam BeamFinder::min_overlap(const Vector3d& tip) const {
   const double whole = rules_.tilt.half_angle_rad;
   TipBeam best{.tip = tip, .left_rad = whole};

@@ -31,8 +31,8 @@ class BeamFinder {
   /// @param obstacles facets of the part; must outlive this object
   BeamFinder(const Obstacles& obstacles, const BeamRules& rules)
       : BeamFinder{obstacles, obstacles, rules} {}
-  /// @param touched the same facets with a greater touch distance, at which facets that the waist
-  /// may touch count as touched by the tip
+  /// @param touched the same facets with a greater touch distance. At this distance, facets that
+  /// the waist may touch count as touched by the tip
   BeamFinder(const Obstacles& obstacles, const Obstacles& touched, const BeamRules& rules)
       : obstacles_{&obstacles}, touched_{&touched}, rules_{rules} {}
 

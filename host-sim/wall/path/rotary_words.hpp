@@ -25,9 +25,9 @@ inline constexpr double kNoTiltDeg = 1.0e-6;
 /// (cos c sin b, sin c sin b, cos b) with B.
 [[nodiscard]] Eigen::Vector3d axis_of(RotaryAxes axes, const RotaryWords& words);
 
-/// Returns the rotary words of an axis, a unit vector. Of the equivalent pairs (t, c) and (-t, c +
-/// 180), returns the pair that is nearer to the last words. C is changed by a multiple of 360
-/// degrees to the value nearest to the last C. Without a tilt, C keeps its value.
+/// Returns the rotary words for a beam along `axis`, a unit vector. Of the equivalent pairs (t, c)
+/// and (-t, c + 180), returns the pair that is nearer to the last words. C is changed by a multiple
+/// of 360 degrees to the value nearest to the last C. Without a tilt, C keeps its value.
 [[nodiscard]] RotaryWords words_of(RotaryAxes axes,
                                    const Eigen::Vector3d& axis,
                                    const RotaryWords& last);

@@ -44,8 +44,8 @@ void StrokeTracer::add_side(const Vector3d& from, const Vector3d& to, Samples& s
     const double left = length - done;
     const double next = left <= step ? left : std::min(step, std::max(0.5 * left, kGapMm));
     done = next == left ? length : done + next;
-    // At the end of the side, the clearance is limited by the length of the complete side, because
-    // the next side begins there.
+    // Within the side, the remaining length limits the clearance. At the end of the side, the limit
+    // is the length of the complete side, because the next side begins with this sample.
     const bool is_end = done == length;
     samples.push_back(
         sample_at(is_end ? to : Vector3d{from + done * way}, is_end ? length : length - done));
@@ -83,7 +83,8 @@ bool StrokeTracer::is_joined(const Sample& from, const Sample& to) const {
   if (!from.beam && !to.beam) return true;
   if (!from.beam || !to.beam) return false;
   if (!finder_.rules().avoids) return true;
-  // There is only one axis of least overlap at each tip, so that the beam must follow these axes.
+  // If the beam overlaps the part, each tip has only one axis of least overlap. The beam must
+  // follow these axes, even if they turn fast.
   if (from.beam->left_rad > 0.0 || to.beam->left_rad > 0.0) return true;
   // If walls leave no space to turn slowly, the beam stays on and the machine slows down.
   const bool is_short = (to.tip - from.tip).norm() <= kGapMm;
@@ -94,8 +95,9 @@ bool StrokeTracer::is_joined(const Sample& from, const Sample& to) const {
 }
 
 /// Turns the beam of `sample` towards the beam of `other`, whose tilt is at least as great. Tries
-/// two wanted axes: the nearest axis from which the rate allows the turn, and the other beam's
-/// axis. The new axis is the clear axis nearest to a wanted axis.
+/// two wanted axes: the axis nearest to the beam's present axis from which the rate allows the turn
+/// to the other axis, and the other axis itself. The new axis is the clear axis nearest to a wanted
+/// axis.
 void StrokeTracer::lean_towards(const Sample& other, Sample& sample) const {
   if (!sample.beam || !other.beam || turns_slowly(sample, other)) return;
   const Vector3d& axis = sample.beam->axis;
@@ -118,8 +120,8 @@ void StrokeTracer::lean_towards(const Sample& other, Sample& sample) const {
   sample.beam = best;
 }
 
-/// Returns whether the axis of least tilt jumps between two samples because another wall determines
-/// it. The tilts of both axes are then about equal.
+/// Returns whether the axis of least tilt jumps between two samples, because another wall
+/// determines it at the second sample. The tilts of both axes are then about equal.
 bool StrokeTracer::is_jump(const Sample& from, const Sample& to) const {
   if (!from.beam || !to.beam || (to.tip - from.tip).norm() > kGapMm) return false;
   constexpr double kSameTilt = 0.1;

@@ -11,8 +11,8 @@
 
 namespace sim::wall {
 
-/// Successive poses of the beam. The beam is on from the first to the last. Also the tips before
-/// the first pose that are lost, because they are out of reach.
+/// Successive poses of the beam. The beam is on from the first pose to the last. A run also
+/// contains the lost tips before its first pose, which are out of reach.
 struct BeamRun {
   StrokeUse use = StrokeUse::kHatch;
   std::vector<Eigen::Vector3d> lost;
@@ -35,9 +35,9 @@ struct TurnRules {
 ///
 /// Tips are at the ends of all sides of the stroke. Between the ends, their spacing is as small as
 /// the rotation of the axis requires. If the axis of least tilt turns too fast at a point, the axes
-/// before and after this point lean more, as long as their beams clear the part. If walls leave no
-/// space for this, the axis turns faster. If the axis jumps, the run ends, and the axis turns with
-/// the beam off. The next run begins within twice kGapMm.
+/// before and after this point lean more. Their beams must still clear the part. If walls leave no
+/// space for more lean, the axis turns faster. If the axis jumps, the run ends, and the axis turns
+/// with the beam off. The next run begins within twice kGapMm.
 class StrokeTracer {
  public:
   /// Maximum distance between neighbouring tips at which a run ends and the next run begins, mm.

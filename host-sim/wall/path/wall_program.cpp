@@ -36,8 +36,8 @@ struct Knot {
   RotaryWords words;
 };
 
-/// Returns whether all axes of the machine move on linearly at `here`, so that this knot can be
-/// left out.
+/// Returns whether all axes of the machine continue their linear motion at `here`, so that this
+/// knot can be left out.
 bool goes_straight_on(const Knot& before, const Knot& here, const Knot& after) {
   constexpr double kSameMm = 1.0e-9;
   constexpr double kSameDeg = 1.0e-7;
@@ -114,8 +114,8 @@ void WallProgram::write_move(const char* motion, const Vector3d& tip, const Rota
   if (!line.empty()) text_ += motion + line;
 }
 
-/// Turns C with the beam off and upright to the angle that the next leaning beam requires. This is
-/// necessary if there was no upright stretch on which C could turn.
+/// Turns C to the angle that the next leaning beam requires, with the beam off and upright. This
+/// motion is necessary if there was no upright stretch on which C could turn.
 void WallProgram::write_swing(const Eigen::Vector3d& tip,
                               const RotaryWords& from,
                               const RotaryWords& to) {
@@ -124,8 +124,8 @@ void WallProgram::write_swing(const Eigen::Vector3d& tip,
   text_ += '\n';
 }
 
-/// Returns the feed between two beams, reduced so that the axis turns no faster in time than at the
-/// permitted rate and the full feed.
+/// Returns the feed between two beams. It is reduced if the angular speed of the axis would exceed
+/// the permitted turn per mm times the full feed.
 double WallProgram::feed_of(const TipBeam& from, const TipBeam& to) const {
   const double most = settings_.turn_rate_rad_per_mm * (to.tip - from.tip).norm();
   const double angle = angle_between(from.axis, to.axis);

@@ -34,7 +34,8 @@ struct BurnFigures {
   double tilt_mm = 0.0;  ///< Sum of tilt times burnt length, rad mm.
   double max_overlap_rad = 0.0;
   double max_turn_rad_per_mm = 0.0;
-  /// Length on which the tip is slowed down, because the axis turns by more than the rate.
+  /// Length on which the tip is slowed down, because the axis turns by more than the permitted
+  /// angle per mm.
   double slowed_mm = 0.0;
 };
 

@@ -9,7 +9,8 @@ namespace {
 
 using Curve = cnc::contour::Curve<double>;
 
-/// Distance, mm, up to which two crossings count as one; also half the width of a boundary.
+/// Distance, mm, up to which two crossings count as one crossing; also half the width of a
+/// boundary.
 constexpr double kOneCrossingMm = 1.0e-6;
 
 /// Returns the line of a slice from `begin` to `end`, extended by 1 mm at both ends.

@@ -24,8 +24,8 @@ class MilledRegion {
   /// Returns the parts of a slice between `begin` and `end`, mm, that are milled.
   [[nodiscard]] virtual SliceParts parts_of(const Slice& slice, double begin, double end) const = 0;
 
-  /// Returns whether links must stay in the region, as in a drawn region. Other regions only state
-  /// where milling is useful, and a link outside these regions does no harm.
+  /// Returns whether links must stay in the region, as in a drawn region. Other regions only limit
+  /// milling to useful areas, and a link outside of them does no harm.
   [[nodiscard]] virtual bool bars_links() const { return false; }
 
  protected:

@@ -51,19 +51,19 @@ double inner_height(const Profile& tool, double distance_mm, double depth_mm) {
 
 /// Pitch of the raster, relative to the larger tool's radius.
 constexpr double kRasterShare = 1.0 / 32.0;
-/// Number of steps in the table of clearances.
+/// Number of steps in the table of clearances, see clearance_at().
 constexpr int kClearances = 256;
 
-/// Returns the distance that belongs to an index of the table, as a share of the reach. The steps
-/// decrease linearly to 0 towards the end.
+/// Returns the distance between the axes for an index of the table of clearances, as a share of the
+/// reach. The steps decrease linearly to 0 towards the end.
 double share_at(int index) {
   const double rest = 1.0 - static_cast<double>(index) / kClearances;
   return 1.0 - rest * rest;
 }
 
 /// Returns the least height of the tool's tip above the larger tool's tip at which the reduced tool
-/// does not cut deeper than the larger tool. The height is a convex function of the distance
-/// between the axes.
+/// does not cut deeper than the larger tool. `distance` is the distance between the tools' axes.
+/// The height is a convex function of this distance.
 double clearance_at(const Profile& tool, const Profile& larger, double depth_mm, double distance) {
   constexpr int kSteps = 256;
   const double rim = std::max(0.0, tool.radius_mm - depth_mm);
@@ -106,7 +106,7 @@ RestRegion::RestRegion(const Mesh& mesh, const Profile& tool, const RestOptions&
 }
 
 /// Returns whether the tool at `place` reaches rest stock. Checks the points of the reduced tool,
-/// first the point `memory`, at which the last call found stock.
+/// beginning with the point of index `memory`, at which the last call found stock.
 bool RestRegion::holds(const Vector2d& place, std::size_t& memory) const {
   const std::optional<Vector2d> rise = heights_.rise(place);
   if (!rise) return false;
@@ -124,8 +124,8 @@ bool RestRegion::holds(const Vector2d& place, std::size_t& memory) const {
 }
 
 /// Returns whether one position of the larger tool removes everything that the reduced tool
-/// removes. Tries the position at which both tools touch the same plane with this rise, and the
-/// best position of the raster.
+/// removes. Tries the position at which both tools touch the same plane with the slope `rise`, and
+/// the best position of the raster.
 bool RestRegion::is_taken_at_once(const Vector3d& tip, const Vector2d& rise) const {
   const Vector2d axis = tip.head<2>();
   const double slope = rise.norm();
@@ -146,8 +146,8 @@ bool RestRegion::is_all_taken(const Vector3d& tip, const Vector2d& place) const 
          height + larger_lift_mm_ + clearance((place - tip.head<2>()).norm()) <= tip.z();
 }
 
-/// Returns a clearance, interpolated between the steps of the table. The exact clearance never
-/// exceeds the result, because it is a convex function.
+/// Returns a clearance, interpolated between the steps of the table. The exact clearance is a
+/// convex function of the distance, so that it never exceeds the result.
 double RestRegion::clearance(double distance_mm) const {
   const double distance = std::min(distance_mm, reach_mm_);
   const double index = kClearances * (1.0 - std::sqrt(1.0 - distance / reach_mm_));
@@ -193,7 +193,8 @@ bool RestRegion::is_taken_by_search(const Vector3d& point) const {
   double least = excess(point, best);
   double step = 0.5 * raster_.pitch_mm();
   for (int halving = 0; halving < kHalvings && least > 0.0; step *= 0.5, ++halving) {
-    // On a surface of up to 80 degrees, a step cannot reduce the excess by more than this.
+    // On a surface of up to 80 degrees, a step reduces the excess by at most its length times
+    // kSteepestSearch.
     if (least > kSteepestSearch * step) return false;
     const Vector2d middle = best;
     for (int i = 0; i < kDirections && least > 0.0; ++i) {

@@ -21,9 +21,10 @@ struct RestOptions {
   std::optional<double> floor_mm{};  ///< Lowest height of the tip for both tools.
 };
 
-/// The region of rest stock: positions of a tool at which a larger tool, at any position, leaves
-/// stock that is thicker than a depth. At these positions, the reduced tool, which is smaller by
-/// the depth on all sides, reaches stock that the larger tool cannot remove.
+/// The region of rest stock. It consists of the positions of a tool at which a larger tool leaves
+/// stock thicker than `depth_mm`, wherever the larger tool moves. The reduced tool is smaller than
+/// the tool by this depth on all sides. In the region, it reaches stock that the larger tool cannot
+/// remove.
 ///
 /// If one position of the larger tool removes everything that the reduced tool removes, there is no
 /// rest stock. Otherwise 37 points of the reduced tool are checked. For each point, a position of
@@ -60,9 +61,9 @@ class RestRegion final : public SampledRegion {
   double larger_lift_mm_;
   TipRaster raster_;
   std::vector<ToolPoint> points_;
-  /// Least heights of the tool's tip above the larger tool's tip at which the larger tool removes
-  /// everything that the reduced tool removes. The index belongs to the distance between the axes,
-  /// from 0 to reach_mm_ in decreasing steps.
+  /// Clearances: least heights of the tool's tip above the larger tool's tip at which the larger
+  /// tool removes everything that the reduced tool removes. The entries are for distances between
+  /// the tools' axes from 0 to reach_mm_, in decreasing steps.
   std::vector<double> clearances_;
   double reach_mm_;
 };

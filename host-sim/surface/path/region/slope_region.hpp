@@ -18,8 +18,8 @@ struct SlopeRange {
 /// radius, so that two regions with a common limit overlap by a quarter of the radius.
 class SlopeRegion final : public SampledRegion {
  public:
-  /// @param floor_mm level that counts as surface where the tool does not touch the surface above
-  /// it. Without a floor, such points are in no region
+  /// @param floor_mm level that counts as surface where the tool touches no surface above this
+  /// level. Without a floor, such points are in no region
   SlopeRegion(const Mesh& mesh,
               const cnc::surface::Profile& tool,
               const std::optional<double>& floor_mm,

@@ -41,8 +41,8 @@ class TipRaster {
 
   [[nodiscard]] double pitch_mm() const { return pitch_mm_; }
 
-  /// Returns the grid point with the least `cost(distance, height)` among all grid points within a
-  /// radius of `place`. Returns `place` if nothing is under the tool at all these points.
+  /// Returns the grid point with the least `cost(distance, height)` among all grid points within
+  /// `radius_mm` of `place`. Returns `place` if nothing is under the tool at any of these points.
   template <typename Cost>
   [[nodiscard]] Eigen::Vector2d best(const Eigen::Vector2d& place,
                                      double radius_mm,
@@ -73,7 +73,8 @@ class TipRaster {
   [[nodiscard]] Eigen::Vector2d place_of(int column, int row) const {
     return min_ + pitch_mm_ * Eigen::Vector2d{column, row};
   }
-  /// Returns the first index whose point is at or after a distance, limited to the grid.
+  /// Returns the index of the first grid point whose distance from the grid's start is at least
+  /// `distance_mm`; at most `count`.
   [[nodiscard]] int index_from(double distance_mm, int count) const {
     return static_cast<int>(std::clamp(std::ceil(distance_mm / pitch_mm_), 0.0, 1.0 * count));
   }

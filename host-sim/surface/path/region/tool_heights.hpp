@@ -12,8 +12,8 @@ namespace sim::surface {
 /// Computes the heights of a tool's tip over a surface and a floor, and the rises of these heights.
 class ToolHeights {
  public:
-  /// @param floor_mm lowest height of the tip, and its height where nothing is under the tool.
-  /// Without a floor, such points have no height
+  /// @param floor_mm lowest height of the tip; also the tip's height where nothing is under the
+  /// tool. Without a floor, the tip has no height at such points
   ToolHeights(const Mesh& mesh,
               const cnc::surface::Profile& profile,
               const std::optional<double>& floor_mm)
