@@ -16,8 +16,9 @@
 
 namespace cnc {
 
-/// The controller on one port. It owns every object except its step generator and its pixels, which
-/// a chip may keep in separate memory. It allocates nothing.
+/// The complete program of the controller, for one type of step port. It owns every object except
+/// its step generator and its pixels, which a chip may keep in separate memory. It allocates
+/// nothing.
 template <hal::StepPort Port>
 class Controller {
  public:
@@ -28,8 +29,8 @@ class Controller {
   /// ones, even if a cycle is late.
   static_assert((kSegmentQueue - 1) * motion::SegmentRate::kShortest >=
                 (kTurnsToMotion + 2) * kTurnTicks + motion::SegmentRate::kMaxSpare);
-  /// The queued levels of the output must last equally long. A segment and the end of motion each
-  /// add several levels in one step.
+  /// The queued levels of the output must last as long as the queued segments. A segment adds all
+  /// of its levels at the same time, and so does the end of a motion.
   static_assert((Steps::kPieces - PowerShift::kMaxAtOnce - motion::LevelRate::kMaxShort) *
                     motion::LevelRate::kShortest >=
                 (kTurnsToMotion + 2) * kTurnTicks * motion::kNsPerTick);
@@ -127,9 +128,10 @@ class Controller {
   void begin_sender() { protocol_.begin_sender(); }
   void lose_sender() { protocol_.lose_sender(); }
 
-  /// Checks the next part of the memory that must not change during work. All parts are checked
-  /// within 0.2 s, so that a flipped bit in the settings is found within that time. Returns false
-  /// from the first difference on; the program must then end. Main loop, once a millisecond.
+  /// Checks the next part of the memory that only a command may change: the settings, the values
+  /// that are computed from them, and the positions. All parts are checked within 0.2 s, so that a
+  /// flipped bit in the settings is found within that time. Returns false from the first difference
+  /// on; the program must then end. Main loop, once a millisecond.
   [[nodiscard]] bool check_memory() {
     constexpr std::size_t kBytes = 32;
     return machine_.memory().check(kBytes);
@@ -159,11 +161,13 @@ class StepsOfApplication {
   motion::Pixels pixels_{};
 };
 
-/// The complete controller on one port. The simulator creates one for each run.
+/// A Controller together with its step generator and its pixels. The simulator creates one for each
+/// run.
 template <hal::StepPort Port>
 class Application : private StepsOfApplication<Port>, public Controller<Port> {
  public:
-  /// The parameters are the same as in Controller.
+  /// `port` drives the motors and the beam. The other parameters have the meaning that they have in
+  /// the constructor of Controller.
   Application(Port& port,
               hal::AuxiliaryOutputs& outputs,
               hal::MachineInputs& inputs,

@@ -11,7 +11,7 @@
 
 namespace target {
 
-/// Answers senders on one link while the image must not run: sends a greeting, then the reason and
+/// Answers senders on one link while the image must not run: sends the banner, then the reason and
 /// an error for every line. Needs no clock, no store and no other part of the firmware. Main loop
 /// context.
 class RefusalTalk {
@@ -115,7 +115,7 @@ class RefusalTalk {
       case kReason:
         return reason_;
       case kError:
-        return "error:9\r\n";  // Number of the error "G-code is locked out".
+        return "error:9\r\n";  // Error 9 is "G-code is locked out".
       default:
         return "ok\r\n";
     }
