@@ -62,8 +62,8 @@ class Machine {
   /// checked and moves nothing.
   /// @pre !busy() && !locked()
   [[nodiscard]] gcode::Refusal accept(std::string_view line);
-  /// Returns whether no further line is accepted yet. The last line may wait for free space in the
-  /// planner, for standstill or for the end of a dwell, or homing, a stop or a reset is not
+  /// Returns whether no further line is accepted yet. Either the last line waits for free space in
+  /// the planner, for standstill or for the end of a dwell; or homing, a stop or a reset is not
   /// complete.
   [[nodiscard]] bool busy() const;
 
@@ -72,8 +72,8 @@ class Machine {
   void poll(hal::TickCount now);
 
   /// Takes a jog: `words` is the text after `$J=`. The machine must be idle, jogging or in an open
-  /// tool change. A feed above the limits of the axes is reduced to them. The modes of the program
-  /// do not change.
+  /// tool change. A feed above the limits of the axes is reduced to these limits. The modes of the
+  /// program do not change.
   /// @pre !busy()
   [[nodiscard]] std::optional<JogRefusal> jog(std::string_view words);
 
@@ -106,7 +106,7 @@ class Machine {
   /// Ends an alarm. Returns false if the door is open, if the emergency stop is pressed, or if the
   /// alarm requires a reset first.
   bool unlock();
-  /// Locks the machine at power-up because stored data could not all be read. Nothing moves before
+  /// Locks the machine at power-up because some stored data could not be read. Nothing moves before
   /// a reset and an unlock.
   void lock_for_damage() { raise_alarm(Alarm::kStoreDamaged); }
   /// Returns whether the alarm can be unlocked only after a reset.
@@ -125,8 +125,8 @@ class Machine {
   bool acknowledge_tool();
   [[nodiscard]] const ToolChange& tool_change() const { return tool_change_; }
   [[nodiscard]] OperatorSwitches& switches() { return switches_; }
-  /// Toggles block delete, until $890 is written. Returns whether lines with `/` are skipped from
-  /// now on.
+  /// Toggles block delete. The toggle lasts until $890 is written. Returns whether lines with `/`
+  /// are skipped from now on.
   bool toggle_block_delete();
 
   // An interrupted program, in machine_reentry.cpp.
@@ -146,10 +146,10 @@ class Machine {
   /// @pre idle()
   Result<float, SettingError> change_setting(std::uint16_t number, float value);
   [[nodiscard]] const Settings& settings() const { return set_up_.settings(); }
-  /// Ends G43.4, because axes are to be moved separately or all settings are to change.
+  /// Ends G43.4, because single axes are to be moved or all settings are to change.
   /// @pre idle()
   void end_tool_centre();
-  /// Sets the table of the light power that the beam has at each duty.
+  /// Sets the power table: the light power of the beam at each duty.
   /// @pre idle()
   void set_power_table(const motion::PowerTable& table);
   [[nodiscard]] const motion::PowerTable& power_table() const { return set_up_.power_table(); }
@@ -187,10 +187,10 @@ class Machine {
   /// effect of the speed.
   [[nodiscard]] float spindle_now() const;
   [[nodiscard]] gcode::Coolant coolant() const { return coolant_.now(); }
-  /// Returns the result of the last probe. Before the first probe, its position is 0 and it is no
-  /// success.
+  /// Returns the result of the last probe. Before the first probe, the result has the position 0
+  /// and is no success.
   [[nodiscard]] const Probe& last_probe() const { return probing_.last(); }
-  /// Returns the events that are reported once.
+  /// Returns the events that the protocol takes and reports, each once.
   [[nodiscard]] MachineNews& news() { return news_; }
   /// Returns, once, the part of the path that a door, a lost link or a following reset leaves
   /// uncut; null if there is none.
@@ -209,7 +209,8 @@ class Machine {
   [[nodiscard]] const MotionControl& motion() const { return motion_; }
   /// Returns the beam or spindle.
   [[nodiscard]] const ToolOutput& tool() const { return tool_; }
-  /// Returns the number of cycles that took too long for motion to begin in time.
+  /// Returns the number of boundaries at which a due cycle was not complete, so that motion may
+  /// have begun too late.
   [[nodiscard]] std::uint32_t late_turns() const { return drive_.late_turns(); }
   /// Sets an observer of the plan; null for none.
   void observe(motion::SliceObserver* observer) { motion_.observe(observer); }
@@ -336,7 +337,7 @@ class Machine {
   void apply_language_settings();
   [[nodiscard]] bool place_fits() const;
 
-  // Small members come first, because a load instruction of the chip reaches only the first 4 KiB
+  // Small members come first, because one load instruction of the chip reaches only the first 4 KiB
   // of an object.
   StepDrive& drive_;
   hal::AuxiliaryOutputs& outputs_;

@@ -3,8 +3,8 @@
 namespace cnc {
 
 /// Stops because the present line must not be driven, for example because it would leave the
-/// travel. The line moves nothing, earlier motion is held, and `alarm` follows at rest. The
-/// position stays known.
+/// travel. The line moves nothing. Earlier motion slows down to rest, and then `alarm` is raised.
+/// The position stays known.
 void Machine::stop_for(Alarm alarm) {
   alarm_.stop_for(alarm);
   static_cast<void>(state_.take(Event::kHold));

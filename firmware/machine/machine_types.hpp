@@ -30,13 +30,13 @@ struct MachineStatus {
   constexpr bool operator==(const MachineStatus&) const = default;
 };
 
-/// Numbers of the alarms. 1 to 10 are those of Grbl 1.1, and 11 is that of grblHAL. Numbers from 23
-/// on are our own, above those of grblHAL. In grblHAL, 10 is an emergency stop; in Grbl, and here,
-/// it is a squaring fault.
+/// Numbers of the alarms. 1 to 10 are the numbers of Grbl 1.1, and 11 is a number of grblHAL.
+/// Numbers from 23 on are Kerfline's own, above the numbers of grblHAL. In grblHAL, 10 is an
+/// emergency stop; in Grbl, and here, it is a squaring fault.
 enum class Alarm : std::uint8_t {
   kNone = 0,
   kHardLimit = 1,
-  kSoftLimit = 2,  ///< A line would leave the travel. It moved nothing; position known.
+  kSoftLimit = 2,  ///< A line would leave the travel and was not driven; position known.
   kAbortInMotion = 3,
   kProbeAtTarget = 4,  ///< The probe input already had its final state at the start.
   kProbeMissed = 5,
@@ -50,7 +50,7 @@ enum class Alarm : std::uint8_t {
   kEmergencyStop = 24,
   kLinkSilent = 25,    ///< The sender was silent while the beam was on; position known.
   kCompensation = 26,  ///< The compensated path cannot be driven; position known.
-  kPlaceNotMet = 27,   ///< A re-entered program did not pass the noted position.
+  kPlaceNotMet = 27,   ///< A program that was re-entered did not pass the noted position.
   kStoreDamaged = 28,  ///< Stored settings or positions could not be read at start.
 };
 

@@ -18,8 +18,8 @@ void SideTrip::go(std::size_t axis,
   go(end, feed_mm_s, beam);
 }
 
-/// Moves all axes. The limits of the block are computed for the nearest steps of both ends. Then
-/// its end is set to the exact position.
+/// Moves all axes. The limits of the block are computed from whole steps, the nearest to its two
+/// end points. Then the end of the block is set to the exact position.
 void SideTrip::go(const AxisArray<StepPosition>& to,
                   float feed_mm_s,
                   const motion::BeamCommand& beam) {

@@ -9,8 +9,9 @@ namespace cnc {
 /// Moves one axis away and back while the planned motion is held, or moves all axes to the point
 /// where that motion continues. The final position is exact, including the fraction of a step.
 ///
-/// It has its own queue and segmenter, because the queue and segmenter of the held motion contain
-/// the point where that motion stopped. It uses the motor stage of the held motion. Main loop only.
+/// A trip has a separate queue and segmenter, because the queue and segmenter of the held motion
+/// contain the point where that motion stopped. A trip uses the motor stage of the held motion.
+/// Main loop only.
 class SideTrip {
  public:
   /// @param held held motion, which later continues where it stopped
