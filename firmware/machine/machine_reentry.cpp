@@ -11,7 +11,8 @@ void Machine::note_progress() {
   progress_.note(drive_.line(), motion_.tool_steps());
 }
 
-/// If progress was restored after a restart, the restart has interrupted the program.
+/// If progress was restored after a restart, the program counts as interrupted in every mode,
+/// because the restart has interrupted it.
 bool Machine::interrupted() const {
   const bool stopped = state_.in(Mode::kHold) || state_.in(Mode::kDoor) ||
                        state_.in(Mode::kAlarm) || !progress_.place_is_kept();

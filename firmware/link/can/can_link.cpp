@@ -20,8 +20,8 @@ void CanLink::want_node(std::uint8_t node) {
   next_ = node;
 }
 
-/// Changes to the next node number, but not while a host communicates with the node or while a
-/// master is setting a number.
+/// Changes to the node number `next_`. Waits while a host communicates with the node or a master is
+/// setting a number.
 void CanLink::follow_node() {
   if (next_ != 0 && session_ == 0 && !numbering_.configured_now()) {
     booting_ = booting_ || next_ != node_;

@@ -53,8 +53,8 @@ struct FlowControl {
   std::uint8_t block_size = 0;
 };
 
-/// Returns the separation time (STmin) of a code, microseconds. Reserved codes mean the longest
-/// time.
+/// Returns the separation time (STmin) of a code, microseconds. A reserved code means the longest
+/// time that the standard allows.
 [[nodiscard]] constexpr std::uint32_t separation_us(std::uint8_t code) {
   constexpr std::uint32_t kLongestMs = 0x7F;
   if (code <= kLongestMs) return code * 1000U;
