@@ -25,12 +25,13 @@ class Controller {
   /// Number of segments in the queue of the step interrupt. A segment takes at most a millisecond.
   static constexpr std::uint32_t kSegmentQueue = 64;
   using Steps = StepGenerator<Port, kSegmentQueue>;
-  /// While one segment is being played, the others must last until the main loop adds the next
-  /// ones, even if a cycle is late.
+  /// While one segment is being played, the other segments of the full queue must last until the
+  /// main loop adds the next segments, even if a cycle is late.
   static_assert((kSegmentQueue - 1) * motion::SegmentRate::kShortest >=
                 (kTurnsToMotion + 2) * kTurnTicks + motion::SegmentRate::kMaxSpare);
-  /// The queued levels of the output must last as long as the queued segments. A segment adds all
-  /// of its levels at the same time, and so does the end of a motion.
+  /// The queued levels of the output must last equally long. kMaxAtOnce places do not count,
+  /// because a segment and the end of a motion add several levels together. kMaxShort levels do not
+  /// count, because they may be shorter than kShortest.
   static_assert((Steps::kPieces - PowerShift::kMaxAtOnce - motion::LevelRate::kMaxShort) *
                     motion::LevelRate::kShortest >=
                 (kTurnsToMotion + 2) * kTurnTicks * motion::kNsPerTick);

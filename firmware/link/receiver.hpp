@@ -66,7 +66,8 @@ class Receiver {
 
   /// Returns the number of bytes that can be received now without refusal.
   [[nodiscard]] std::uint32_t room() const;
-  /// Returns the free space for status reports, bytes; it is kAdvertisedBytes if no byte waits.
+  /// Returns the free space that status reports show, in bytes; it is kAdvertisedBytes if no byte
+  /// waits.
   [[nodiscard]] std::uint32_t advertised_room() const;
 
   /// Passes bytes of lines to `take` until `take` returns true. Returns false if the available

@@ -33,7 +33,7 @@ class Homing {
       : drive_{drive}, motion_{motion}, settings_{settings} {}
 
   /// Begins homing.
-  /// @param axes bit i for axis i; 0 for all axes that have a pass
+  /// @param axes bit i for axis i; 0 for all axes that are in a pass
   /// @pre nothing is planned and nothing moves
   void start(std::uint8_t axes, const motion::BeamCommand& beam);
 

@@ -156,7 +156,7 @@ class Machine {
   /// Sets the kerf table that M190, G41 and G42 use from now on.
   /// @param table its view must outlive its use
   void use_kerf(const kerf::SelectedTable& table) { compensated_.use_kerf(table); }
-  /// Sets the positions that were stored at the last power-down.
+  /// Sets the positions (origins, tool radii, G28 and G30) that were loaded from the store.
   /// @pre idle()
   void set_places(const gcode::StoredPlaces& places);
 
@@ -165,19 +165,19 @@ class Machine {
   /// Returns the guard that checks the settings, the memory that is computed from them, and the
   /// positions for flipped bits.
   [[nodiscard]] MemoryGuard& memory() { return memory_; }
-  /// Returns the light at rest, for RestLight::allowed(). Any context.
+  /// Returns the control of the light at rest, on which any context may call RestLight::allowed().
   [[nodiscard]] RestLight& rest_light() { return rest_light_; }
 
-  // State for reports.
+  // Functions that return the state, for reports.
 
   [[nodiscard]] MachineStatus status() const;
   [[nodiscard]] MachineState state() const { return status().state; }
   [[nodiscard]] Alarm alarm() const { return alarm_.now(); }
   /// Returns whether no action is waiting and nothing moves.
   [[nodiscard]] bool idle() const;
-  /// Returns whether a spindle turns, or a beam that does not follow the motion is on.
+  /// Returns whether a spindle is on, or a beam is on at rest.
   [[nodiscard]] bool tool_runs() const;
-  /// Returns whether a beam is on and follows a motion that is not held.
+  /// Returns whether a beam is on, in a motion that is not held or at rest.
   [[nodiscard]] bool beam_works() const;
   /// Returns the filtered inputs.
   [[nodiscard]] const hal::InputState& inputs() const { return inputs_.settled(); }
@@ -207,7 +207,7 @@ class Machine {
   [[nodiscard]] const gcode::Interpreter& interpreter() const { return interpreter_; }
   /// Returns the motion: the tool's position, the speed, the line being driven, free blocks.
   [[nodiscard]] const MotionControl& motion() const { return motion_; }
-  /// Returns the beam or spindle.
+  /// Returns the output for the beam or spindle.
   [[nodiscard]] const ToolOutput& tool() const { return tool_; }
   /// Returns the number of boundaries at which a due cycle was not complete, so that motion may
   /// have begun too late.
@@ -357,7 +357,7 @@ class Machine {
   LightGap gap_;
   std::optional<JogMove> jog_{};  ///< Jog that waits for free space in the planner.
   Travel travel_{};
-  /// State of G43.4 at the last line that ran, also in check mode.
+  /// State of G43.4 after the last line that was executed, or checked in check mode.
   kinematics::ToolCentre tool_centre_{};
   ProgramProgress progress_;
   MachineSetUp set_up_{};

@@ -161,8 +161,8 @@ bool Machine::wait(float seconds) {
   return over;
 }
 
-/// Sets the mode of the tool. If a spindle starts or reverses, waits for $394. Returns whether this
-/// is complete.
+/// Sets the mode of the tool. If a spindle starts or reverses, waits for $394. Returns whether the
+/// change is complete.
 bool Machine::set_spindle(gcode::SpindleMode mode) {
   if (!standstill()) return false;
   if (!actions_.is_dwelling()) {

@@ -21,7 +21,7 @@ bool Machine::waits_for_g40() const {
   return compensated_.active() && actions_.empty() && compensated_.has_room();
 }
 
-/// Returns the end of the programmed path so far.
+/// Returns the end position of the programmed path so far. The next motion begins there.
 const Position& Machine::target() const {
   const bool apart = compensated_.active() || compensated_.beside() || state_.in(Mode::kCheck);
   return apart ? compensated_.programmed() : motion_.target();

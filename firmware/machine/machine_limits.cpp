@@ -33,7 +33,8 @@ void Machine::hit_limit() {
   raise_alarm(Alarm::kHardLimit);
 }
 
-/// Sets the axes whose position is known.
+/// Sets the axes whose position is known, bit i for axis i. If there is none, the noted progress
+/// can be re-entered only after homing.
 void Machine::set_homed(std::uint8_t axes) {
   if (axes == 0) progress_.lose_place();
   travel_.set_homed(axes, settings());

@@ -11,7 +11,7 @@ namespace cnc {
 /// position of the tool. Main loop only.
 class MotionControl : private Pipeline {
  public:
-  /// Parameters as in Pipeline.
+  /// The other parameters are those of Pipeline.
   /// @param drive must outlive this object
   MotionControl(StepDrive& drive, const motion::Limits& limits, motion::Pixels& pixels)
       : Pipeline{limits, pixels}, drive_{drive} {}

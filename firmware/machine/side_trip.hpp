@@ -23,7 +23,8 @@ class SideTrip {
   void begin(const AxisArray<StepPosition>& place);
 
   /// Moves one axis to the position `to`. A motion without length, or out of range, is omitted.
-  /// @pre at_rest(); after halt(), begin() was called. The queue has capacity for one motion
+  /// @pre at_rest(), because the queue has capacity for one motion only; if halt() was called,
+  ///     begin() was called after it
   void go(std::size_t axis, StepPosition to, float feed_mm_s, const motion::BeamCommand& beam);
   /// Moves all axes along a straight line, like go() for one axis.
   void go(const AxisArray<StepPosition>& to, float feed_mm_s, const motion::BeamCommand& beam);

@@ -6,7 +6,7 @@
 
 namespace cnc {
 
-/// A number that senders know, with its text.
+/// Number of an error or alarm, as senders know it from Grbl and grblHAL, with its text.
 struct CodeText {
   std::uint8_t number;
   /// Must not contain "ok" or "error", which only an acknowledgement may contain.

@@ -146,7 +146,7 @@ class LineProtocol {
 
   // Statements (`$`), in statements.cpp.
   void take_statement(std::string_view line);
-  /// Not inlined, so that lines of G-code do not have its frame on the stack.
+  /// Not inlined, so that its frame is not on the stack while a line of G-code is executed.
   [[gnu::noinline]] void take_command(const Statement& statement);
   void change_setting(const Statement& statement);
   void tell_waiting_limits();
@@ -222,7 +222,8 @@ class LineProtocol {
   bool beginning_ = true;      ///< The banner is due, after power-up or a reset.
   /// The banner for a new sender is due, without the other effects of a reset.
   bool greeting_due_ = false;
-  bool unheard_ = false;  ///< The sender of the line in execution is gone.
+  /// The sender of the line in execution is gone, so the line gets no answer.
+  bool unheard_ = false;
   bool saving_failed_ = false;
   std::size_t startup_line_ = kStartupDone;  ///< Index of the next start-up line to run.
   bool starts_ = false;                      ///< The last executed line was a start-up line.

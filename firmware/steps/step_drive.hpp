@@ -12,8 +12,10 @@ namespace cnc {
 
 /// Electrical timing of the motor drivers, in ticks of the step clock.
 struct StepTiming {
-  std::uint32_t pulse = 20;            ///< Length of the high level, and of the low one after it.
-  std::uint32_t direction_set_up = 8;  ///< Time from a direction change to the next leading edge.
+  /// Length of the high level of a step pulse, and of the low level after it.
+  std::uint32_t pulse = 20;
+  /// Time from a direction change to the leading edge of the next step pulse.
+  std::uint32_t direction_set_up = 8;
 };
 
 /// Length of the motion that is cut into segments ahead of the motors: long enough for delays of
@@ -57,7 +59,7 @@ class StepDrive {
 
   /// Returns the motor positions in steps.
   [[nodiscard]] virtual AxisArray<std::int32_t> position() const = 0;
-  /// Returns the program line of the motors' present motion, or of their last one.
+  /// Returns the program line of the motors' present motion; at rest, of their last motion.
   [[nodiscard]] virtual motion::SourceLine line() const = 0;
   /// Sets the duty of the output at rest; 65535 is full. For a beam it is 0, except while the beam
   /// must be on at rest. It takes effect immediately if the machine is at rest or `power` is 0.

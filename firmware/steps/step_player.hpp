@@ -316,8 +316,8 @@ class StepPlayer {
     if (switches_.active()) switches_.look(port_.switches(), position);
   }
 
-  /// Stops the interrupt. After a cut-off in motion the queue stays as it is, because the main loop
-  /// may be handing over further segments.
+  /// Stops the interrupt, because the queue is empty. If this cuts motion off, segments that arrive
+  /// later stay in the queue until abort(), because the main loop may still be handing them over.
   [[gnu::noinline, gnu::cold]] std::uint32_t come_to_rest() noexcept {
     if (!comes_to_rest_) {
       starved_.store(starved_.load(std::memory_order_relaxed) + 1, std::memory_order_relaxed);

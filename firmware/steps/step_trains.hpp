@@ -61,7 +61,7 @@ class StepTrains {
   [[nodiscard]] std::int32_t next_due() const noexcept { return earliest_q16_ >> 16; }
 
   /// Takes the steps that are due before `tick`, at most one of each motor.
-  /// @return axes of the steps
+  /// @return axes whose motors step, bit i for axis i
   std::uint8_t take_before(std::int32_t tick) noexcept {
     unsigned due = 0;
     unsigned moving = moving_;

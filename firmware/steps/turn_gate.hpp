@@ -108,7 +108,8 @@ class TurnGate {
   [[nodiscard]] std::uint32_t behind() const { return behind_.load(std::memory_order_relaxed); }
 
  private:
-  static constexpr std::uint32_t kViews = 16;  ///< Greatest number of cycles that may wait.
+  /// Maximum number of cycles that may wait to be run.
+  static constexpr std::uint32_t kViews = 16;
   /// Number of handovers that are kept. The main loop may write one of them while the interrupt
   /// reads the others.
   static constexpr std::uint32_t kHandovers = 4;
