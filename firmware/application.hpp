@@ -29,7 +29,7 @@ class Controller {
   /// main loop adds the next segments, even if a cycle is late.
   static_assert((kSegmentQueue - 1) * motion::SegmentRate::kShortest >=
                 (kTurnsToMotion + 2) * kTurnTicks + motion::SegmentRate::kMaxSpare);
-  /// The queued levels of the output must last equally long. kMaxAtOnce places do not count,
+  /// The queued levels of the output must last for the same time. kMaxAtOnce places do not count,
   /// because a segment and the end of a motion add several levels together. kMaxShort levels do not
   /// count, because they may be shorter than kShortest.
   static_assert((Steps::kPieces - PowerShift::kMaxAtOnce - motion::LevelRate::kMaxShort) *
@@ -59,7 +59,8 @@ class Controller {
 
   /// Takes the next cycle whose boundary has passed. Returns false if there is none. A cycle may
   /// run late, and several cycles may run one after the other. The result does not depend on the
-  /// time at which a cycle runs, if the cycle ends within kTurnsToMotion. Main loop.
+  /// time at which a cycle runs, if the cycle ends within kTurnsToMotion cycles after its boundary.
+  /// Main loop.
   [[nodiscard]] bool take_turn() { return steps_.take_turn(); }
   /// Returns the number of the cycle that was taken last (wraps).
   [[nodiscard]] std::uint32_t turn() const { return steps_.turn(); }

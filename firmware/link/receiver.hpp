@@ -184,8 +184,9 @@ class Receiver {
 
   std::atomic<std::uint32_t> lost_lines_{0};
 
-  // A plain byte is only stored: no comment, character, pair of bytes or overrun is open.
-  bool plain_ = true;  ///< None of the states below holds, so a plain byte is only stored.
+  /// No comment, character or pair of bytes is open, and no line is being lost. So a plain byte is
+  /// only stored.
+  bool plain_ = true;
   Comment comment_ = Comment::kNone;
   /// 0xC2 was received and is not stored yet, because it may begin a realtime byte in UTF-8.
   bool lead_waits_ = false;

@@ -24,7 +24,7 @@ class SilenceWatch {
   /// Factor on the allowed time: CNCjs and gSender poll four times a second by a timer that is
   /// sometimes a little late.
   static constexpr float kGrace = 1.2F;
-  /// Upper bound of the time that is derived from the poll intervals, microseconds.
+  /// Upper bound of the expected silence that is derived from the poll intervals, microseconds.
   static constexpr std::int32_t kMaxUs = 2'000'000;
   /// Longest interval that counts as regular polling, microseconds: a longer interval means that a
   /// user requests reports by hand. It is shorter than kMaxUs by a fifth, so that a late poll is

@@ -20,8 +20,8 @@ constexpr float kMaxStepsPerSecond = 200'000.0F;
 /// between the real edges.
 constexpr float kTicksToEdges = 8.0F;
 
-/// Share of the maximum step rate that a motor may use. The rest is a reserve, by which steps that
-/// are late catch up.
+/// Share of the maximum step rate that a motor may use. The rest is a reserve, in which late steps
+/// catch up, so that their lateness does not accumulate.
 constexpr float kSlotUse = 0.97F;
 
 /// Farthest position of an axis from zero, in steps. It is about half of AxisScale::kMaxSteps, so

@@ -177,7 +177,7 @@ class Machine {
   [[nodiscard]] bool idle() const;
   /// Returns whether a spindle is on, or a beam is on at rest.
   [[nodiscard]] bool tool_runs() const;
-  /// Returns whether a beam is on, in a motion that is not held or at rest.
+  /// Returns whether a beam is on: during motion that is not held, or as light at rest.
   [[nodiscard]] bool beam_works() const;
   /// Returns the filtered inputs.
   [[nodiscard]] const hal::InputState& inputs() const { return inputs_.settled(); }

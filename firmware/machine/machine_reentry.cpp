@@ -11,8 +11,8 @@ void Machine::note_progress() {
   progress_.note(drive_.line(), motion_.tool_steps());
 }
 
-/// If progress was restored after a restart, the program counts as interrupted in every mode,
-/// because the restart has interrupted it.
+/// Progress that was restored after a restart counts in every mode, because the restart has
+/// interrupted the program.
 bool Machine::interrupted() const {
   const bool stopped = state_.in(Mode::kHold) || state_.in(Mode::kDoor) ||
                        state_.in(Mode::kAlarm) || !progress_.place_is_kept();

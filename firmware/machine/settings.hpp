@@ -77,7 +77,7 @@ class SettingHelp<false> {
   }
 };
 
-/// One user setting. `number` is what the user writes: `$110=12000`.
+/// One user setting. The user writes its `number` and value, such as `$110=12000`.
 struct SettingInfo {
   std::uint16_t number;
   SettingGroup group;

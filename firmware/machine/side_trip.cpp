@@ -37,7 +37,7 @@ void SideTrip::go(const AxisArray<StepPosition>& to,
 }
 
 void SideTrip::feed_drive() {
-  if (segmenter_.idle() && motors_.at_rest()) return;  // The usual case: there is no trip.
+  if (segmenter_.idle() && motors_.at_rest()) return;  // Usually there is no trip.
   feed_segments(drive_, [this](motion::Segment& segment) {
     return motion::next_segment(segmenter_, motors_, segment);
   });

@@ -69,8 +69,8 @@ class PowerOutput {
   [[nodiscard]] bool comes_within(std::uint32_t ticks) const noexcept {
     return stream_.ticks_left() < static_cast<std::int32_t>(ticks);
   }
-  /// Returns `ticks`, or the number of ticks until the next change of the output if it is smaller.
-  /// Returns `ticks` if a change is due already.
+  /// Returns the smaller of `ticks` and the number of ticks until the next change of the output;
+  /// `ticks` if a change is due already.
   [[nodiscard]] std::int32_t sooner(std::int32_t ticks) const noexcept {
     return stream_.due() ? ticks : std::min(ticks, stream_.ticks_left());
   }

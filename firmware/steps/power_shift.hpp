@@ -35,9 +35,9 @@ inline void delay(motion::Segment& segment, std::uint32_t ticks) {
 /// have the same length. With a positive lag the output begins with the motion's first piece, the
 /// steps wait for the time of the lag, and the output ends before the steps. With a negative lag
 /// the output begins with the beam off, and its part after the end of the motion is cut off. Each
-/// point at which the beam goes on or off (an edge of the beam) is made earlier by its delay, which
-/// shortens the piece before it. So a gap or a flash that is shorter than the delay of its end
-/// vanishes. A delay never switches the beam on before the motion begins or after it ends.
+/// edge of the beam, at which the beam goes on or off, is moved to an earlier time by its delay.
+/// This shortens the piece before the edge. So a gap or a flash that is shorter than the delay of
+/// its end vanishes. A delay never switches the beam on before the motion begins or after it ends.
 ///
 /// The latest pieces are kept back until no later edge can move into them.
 class PowerShift {
@@ -60,7 +60,7 @@ class PowerShift {
   [[nodiscard]] std::uint32_t wait() const {
     return static_cast<std::uint32_t>(std::max<std::int32_t>(0, timing_.lag));
   }
-  /// Returns the length of motion, in ticks, that must be known ahead in addition, because of the
+  /// Returns the additional length of motion, in ticks, that must be known ahead because of the
   /// shift.
   [[nodiscard]] std::uint32_t look_ahead() const { return wait() + held_ticks(); }
   /// Returns the delay, in ticks, from the command that switches the output off to the end of the

@@ -378,7 +378,8 @@ class StepPlayer {
   std::atomic<std::uint32_t> begun_ticks_{0};
   /// Tick of the motion at which the output was blocked, in the count of begun_ticks_.
   std::uint32_t dark_tick_ = 0;
-  std::atomic<bool> dark_noted_{true};  ///< dark_tick_ belongs to the latest blocking.
+  /// dark_tick_ belongs to the latest blocking of the output.
+  std::atomic<bool> dark_noted_{true};
   std::atomic<std::uint32_t> longest_wait_{kLongestWait};
   PowerOutput<Port, kPieces> beam_;
   hal::StagedRing<PlayableSegment, QueueCapacity> queue_{};

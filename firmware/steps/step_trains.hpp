@@ -66,7 +66,7 @@ class StepTrains {
     unsigned due = 0;
     unsigned moving = moving_;
     std::int32_t earliest = PlayableSegment::kNoStep;
-    // In the unrolled loop, each motor's train has a constant offset.
+    // The loop is unrolled, so that each motor's train has a constant offset from `trains_`.
 #pragma GCC unroll 6
     for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
       const unsigned bit = 1U << axis;

@@ -127,7 +127,7 @@ class RefusalTalk {
   /// Number of times that each answer must still be sent.
   std::array<std::uint32_t, kParts> owed_{};
   std::array<char, kLeave.size() + 1> line_{};  ///< Beginning of the line that is arriving.
-  std::size_t length_ = 0;                      ///< Number of bytes of this line so far.
+  std::size_t length_ = 0;                      ///< Number of bytes of the arriving line so far.
 };
 
 }  // namespace target

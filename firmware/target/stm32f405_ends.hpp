@@ -23,8 +23,8 @@ extern Kept kept;
 
 [[noreturn]] void restart();
 
-/// Ends the program in any state. First switches the beam off. The restart then switches off the
-/// current of the motors and reports the fault.
+/// Ends the program; may be called in every state of the program. First switches the beam off. The
+/// restart then switches off the current of the motors and reports the fault.
 [[noreturn]] void stop(hal::stm32f405::Fault fault, std::uint32_t exception, std::uint32_t place);
 
 /// Jumps to ST's boot loader. Requires the chip in its state after a reset.
