@@ -16,20 +16,22 @@
 
 namespace cnc {
 
-/// The controller on one port. It owns every object except its step generator and its pixels, which
-/// a chip may keep in separate memory. It allocates nothing.
+/// The complete program of the controller, for one type of step port. It owns every object except
+/// its step generator and its pixels, which a chip may keep in separate memory. It allocates
+/// nothing.
 template <hal::StepPort Port>
 class Controller {
  public:
   /// Number of segments in the queue of the step interrupt. A segment takes at most a millisecond.
   static constexpr std::uint32_t kSegmentQueue = 64;
   using Steps = StepGenerator<Port, kSegmentQueue>;
-  /// While one segment is being played, the others must last until the main loop adds the next
-  /// ones, even if a cycle is late.
+  /// While one segment is being played, the other segments of the full queue must last until the
+  /// main loop adds the next segments, even if a cycle is late.
   static_assert((kSegmentQueue - 1) * motion::SegmentRate::kShortest >=
                 (kTurnsToMotion + 2) * kTurnTicks + motion::SegmentRate::kMaxSpare);
-  /// The queued levels of the output must last equally long. A segment and the end of motion each
-  /// add several levels in one step.
+  /// The queued levels of the output must last for the same time. kMaxAtOnce places do not count,
+  /// because a segment and the end of a motion add several levels together. kMaxShort levels do not
+  /// count, because they may be shorter than kShortest.
   static_assert((Steps::kPieces - PowerShift::kMaxAtOnce - motion::LevelRate::kMaxShort) *
                     motion::LevelRate::kShortest >=
                 (kTurnsToMotion + 2) * kTurnTicks * motion::kNsPerTick);
@@ -57,7 +59,8 @@ class Controller {
 
   /// Takes the next cycle whose boundary has passed. Returns false if there is none. A cycle may
   /// run late, and several cycles may run one after the other. The result does not depend on the
-  /// time at which a cycle runs, if the cycle ends within kTurnsToMotion. Main loop.
+  /// time at which a cycle runs, if the cycle ends within kTurnsToMotion cycles after its boundary.
+  /// Main loop.
   [[nodiscard]] bool take_turn() { return steps_.take_turn(); }
   /// Returns the number of the cycle that was taken last (wraps).
   [[nodiscard]] std::uint32_t turn() const { return steps_.turn(); }
@@ -127,9 +130,10 @@ class Controller {
   void begin_sender() { protocol_.begin_sender(); }
   void lose_sender() { protocol_.lose_sender(); }
 
-  /// Checks the next part of the memory that must not change during work. All parts are checked
-  /// within 0.2 s, so that a flipped bit in the settings is found within that time. Returns false
-  /// from the first difference on; the program must then end. Main loop, once a millisecond.
+  /// Checks the next part of the memory that only a command may change: the settings, the values
+  /// that are computed from them, and the positions. All parts are checked within 0.2 s, so that a
+  /// flipped bit in the settings is found within that time. Returns false from the first difference
+  /// on; the program must then end. Main loop, once a millisecond.
   [[nodiscard]] bool check_memory() {
     constexpr std::size_t kBytes = 32;
     return machine_.memory().check(kBytes);
@@ -159,11 +163,13 @@ class StepsOfApplication {
   motion::Pixels pixels_{};
 };
 
-/// The complete controller on one port. The simulator creates one for each run.
+/// A Controller together with its step generator and its pixels. The simulator creates one for each
+/// run.
 template <hal::StepPort Port>
 class Application : private StepsOfApplication<Port>, public Controller<Port> {
  public:
-  /// The parameters are the same as in Controller.
+  /// `port` drives the motors and the beam. The other parameters have the meaning that they have in
+  /// the constructor of Controller.
   Application(Port& port,
               hal::AuxiliaryOutputs& outputs,
               hal::MachineInputs& inputs,

@@ -29,9 +29,9 @@ class LineAssembler {
   /// @pre the last add() returned true
   [[nodiscard]] std::string_view line() const { return {bytes_.data(), size_}; }
   [[nodiscard]] bool too_long() const { return too_long_; }
-  /// Returns whether the line has all bytes that were added.
+  /// Returns whether the line contains all bytes that were added to it.
   [[nodiscard]] bool whole() const { return !too_long_ && !shortened_; }
-  /// Returns the check of a line that has lost bytes; null if the line is complete (`whole`).
+  /// Returns the check of a line from which bytes were dropped; null if whole().
   [[nodiscard]] const LongLineCheck* long_line() const { return whole() ? nullptr : &check_; }
   /// Returns whether the complete line ended with CR. If the next byte is LF, it belongs to the
   /// same line end.
@@ -102,8 +102,8 @@ class LineAssembler {
 
   std::array<char, Capacity> bytes_{};
   std::size_t size_ = 0;
-  /// If size_ is smaller, a byte is only appended; 0 after a line end and in a line that does not
-  /// fit.
+  /// While size_ is smaller than this, add() only appends a byte that does not end the line. It is
+  /// 0 after a line end and in a line that does not fit.
   std::size_t plain_to_ = Capacity;
   bool shortened_ = false;  ///< Text of comments was dropped from this line.
   bool too_long_ = false;

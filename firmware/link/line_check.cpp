@@ -7,7 +7,8 @@
 
 namespace cnc {
 
-/// The covered part and the form of a line whose `*` and digits were found.
+/// Result of reading a line in which `*` and digits were found: the part that the check covers, and
+/// the form of the check.
 struct LineCheck::Checked {
   std::string_view covered;  ///< Text before the `*`.
   Form form = Form::kNone;
@@ -24,7 +25,7 @@ std::string_view without_blanks(std::string_view text) {
   return text;
 }
 
-// Replaces string_view::substr, which may throw: exceptions are disabled.
+// Used instead of string_view::substr, which may throw, because exceptions are disabled.
 std::string_view from(std::size_t place, std::string_view text) {
   text.remove_prefix(place);
   return text;
@@ -34,7 +35,8 @@ bool begins_with_number(std::string_view text) {
   return !text.empty() && (text.front() == 'N' || text.front() == 'n');
 }
 
-/// Returns the line number that `value` holds. M110 may have −1: the next line is then N0.
+/// Returns `value` as a line number; nothing if it is no line number. M110 may have −1, after which
+/// the next line is N0.
 std::optional<std::uint32_t> whole_number(const gcode::Decimal& value) {
   constexpr gcode::Decimal kBeforeZero{.whole = 1, .minus = true};
   if (value == kBeforeZero) return kMinusOne;
@@ -42,7 +44,8 @@ std::optional<std::uint32_t> whole_number(const gcode::Decimal& value) {
   return value.whole;
 }
 
-/// Returns whether the line is M110. If an N word follows M110, its value replaces `number`.
+/// Returns whether the line is M110, which restarts the count. If an N word follows M110, its value
+/// replaces `number`.
 bool says_restart(std::string_view text, std::uint32_t& number) {
   if (text.empty() || (text.front() != 'M' && text.front() != 'm')) return false;
   gcode::LineReader reader{text};
@@ -68,7 +71,7 @@ LineCheck::Judgement LineCheck::judge(std::string_view line,
   const bool statement = !text.empty() && text.front() == '$';
   if (statement && !strict()) return judge_plain(line, text, now);
   const auto mark = strict() ? mark_at_end(line) : find_mark(line);
-  // The `*` of a line that has lost bytes may be among the lost bytes.
+  // If bytes were dropped from the line, its `*` may be among them.
   const bool found = long_line != nullptr ? long_line->found(strict()) : mark.has_value();
   if (!found) return judge_plain(line, text, now);
   const Checked checked{.covered = mark ? mark->covered : line,
@@ -130,9 +133,9 @@ LineCheck::Judgement LineCheck::take(const Checked& checked, hal::TickCount now)
   return good;
 }
 
-/// Decides whether to request a line. With the CRC, a missing line is requested once. If the line
-/// numbers then stop rising, the sender is repeating lines: the requested line was lost again, and
-/// it is requested again.
+/// Decides whether to request a line. With the CRC, a missing line is requested once. If a later
+/// line has a number that is not above the largest number of the dropped lines, the sender is
+/// repeating lines and the requested line was lost again. It is then requested again.
 LineCheck::Verdict LineCheck::ask(std::uint32_t number, hal::TickCount now) {
   const Verdict verdict = number < wanted_ ? Verdict::kRepeated : Verdict::kMissing;
   if (form_ == Form::kSum) return verdict;

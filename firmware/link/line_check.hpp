@@ -14,15 +14,15 @@ namespace cnc {
 /// (`Crc32`) as eight upper-case hexadecimal digits.
 ///
 /// A sender that can repeat lines first sends M110, whose number starts the count. From then on a
-/// checked line is taken only if it has the wanted number, and never twice. Before M110 a correct
-/// check has no effect, and a wrong check makes the line an error. Line numbers then belong to the
-/// G-code program and are not checked.
+/// checked line is taken only if it has the wanted number, and never twice. Before M110, line
+/// numbers belong to the G-code program and are not checked. A correct check then has no effect,
+/// and a wrong check makes the line an error.
 ///
 /// With the CRC every line must have a number and a CRC; a plain line counts as damaged. After a
 /// gap in the numbers, one line is requested once, even if many later lines are already on their
 /// way. With the sum, lines without a number may come in between, as in Marlin. `M110*` with the
 /// CRC and without a number ends the checking. Checking also pauses after kLapseUs without a good
-/// line, because another sender may use the link by then. The count continues.
+/// line, because another sender may use the link by then. The count of lines is kept.
 class LineCheck {
  public:
   using Form = LineMark::Form;
@@ -41,12 +41,12 @@ class LineCheck {
   };
 
   static constexpr std::int32_t kLapseUs = 5'000'000;
-  /// Time after which a request counts as lost, microseconds. A line that arrives later does not
-  /// answer that request.
+  /// Time after which a request counts as lost, microseconds. After this time, the next line that
+  /// is not the wanted line causes another request.
   static constexpr std::int32_t kAskAgainUs = 250'000;
 
-  /// Judges a line.
-  /// @param long_line check of a line that has lost bytes; null for a complete line
+  /// Decides the treatment of a line.
+  /// @param long_line check of a line from which bytes were dropped; null for a complete line
   [[nodiscard]] Judgement judge(std::string_view line,
                                 const LongLineCheck* long_line,
                                 hal::TickCount now);
@@ -56,12 +56,13 @@ class LineCheck {
   /// Returns whether every line must have a correct check, as with the CRC.
   [[nodiscard]] bool strict() const { return active() && form_ == Form::kCrc; }
   [[nodiscard]] Form form() const { return form_; }
-  /// Returns whether the last judged line was taken by its number, with a CRC.
+  /// Returns whether the last line had a number and a CRC and was taken, so that its answer must
+  /// have both, too.
   [[nodiscard]] bool numbered() const { return numbered_; }
   [[nodiscard]] std::uint32_t taken() const { return wanted_ - 1; }
   [[nodiscard]] std::uint32_t wanted() const { return wanted_; }
 
-  /// Restarts the time of silence, because the machine makes the sender wait.
+  /// Restarts the count of kLapseUs, because the sender must wait for the machine.
   void keep(hal::TickCount now) { since_ = now; }
   /// Pauses the checking if no good line has arrived for kLapseUs.
   void attend(hal::TickCount now) { lapsed_ = lapsed_ || now.since(since_) >= kLapseUs; }
@@ -77,7 +78,8 @@ class LineCheck {
 
   std::uint32_t wanted_ = 1;
   std::uint32_t dropped_ = 0;  ///< Largest number of a line that was dropped since the request.
-  hal::TickCount since_{};     ///< Time at which a line was last taken or requested.
+  /// Time at which a line was last taken or requested, or of the last keep().
+  hal::TickCount since_{};
   Form form_ = Form::kNone;
   /// Last verdict that requested a line; kTake if a line was taken since.
   Verdict said_ = Verdict::kTake;

@@ -17,7 +17,8 @@ constexpr bool is_hex_digit(char c) {
   return is_digit(c) || (c >= 'A' && c <= 'F') || (c >= 'a' && c <= 'f');
 }
 
-// Two replacements for string_view::substr, which may throw: exceptions are disabled.
+// Two functions are used instead of string_view::substr, which may throw, because exceptions are
+// disabled.
 std::string_view head_of(std::size_t place, std::string_view text) {
   text.remove_suffix(text.size() - place);
   return text;

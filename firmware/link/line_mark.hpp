@@ -38,8 +38,8 @@ class MarkFinder {
  public:
   enum class Part : std::uint8_t { kOther, kStar, kDigit };
 
-  /// Processes the next byte. Returns whether the byte is the `*` of the check or one of its
-  /// digits, judged by the bytes so far.
+  /// Processes the next byte. Returns whether, by the bytes so far, the byte is the `*` of the
+  /// check or one of its digits.
   Part add(char byte);
   [[nodiscard]] bool found() const { return star_ != kNowhere; }
   /// Return the indices of the `*` and of the first byte after its digits.
@@ -83,8 +83,8 @@ class LongLineCheck {
   MarkFinder finder_{};
   Crc32 crc_{};
   std::uint8_t sum_ = 0;
-  Star mark_{};  ///< The `*` that `finder_` found.
-  Star last_{};  ///< The last `*` of the line.
+  Star mark_{};  ///< Content before and after the `*` that `finder_` found.
+  Star last_{};  ///< Content before and after the last `*` of the line.
 };
 
 }  // namespace cnc

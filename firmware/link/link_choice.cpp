@@ -25,8 +25,8 @@ LinkChoice::Change LinkChoice::attend() {
   if (now == session_) return Change::kNone;
   session_ = now;
   skipping_ = within_line_;
-  // Unread bytes of the closed session would fill the receive memory, and the next sender would
-  // wait.
+  // This call drops unread bytes of the closed session. Otherwise they would fill the receive
+  // memory, and the next sender would have to wait.
   if (now == 0) static_cast<void>(first_.read({}));
   return now != 0 ? Change::kCame : Change::kWent;
 }

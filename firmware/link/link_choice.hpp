@@ -14,7 +14,7 @@ namespace cnc {
 ///
 /// Answers go to the active link. Bytes that arrive on the second link while the first is active
 /// are dropped. If the last dropped byte is within a line, the rest of that line is dropped, too.
-/// So no line is composed of bytes from two senders, and none lacks its beginning.
+/// So no line is composed of bytes from two senders, and no line lacks its beginning.
 class LinkChoice final : public hal::ByteStream {
  public:
   enum class Change : std::uint8_t {
@@ -45,9 +45,10 @@ class LinkChoice final : public hal::ByteStream {
 
   hal::SessionStream& first_;
   hal::ByteStream& second_;
-  std::uint32_t session_ = 0;  ///< Session of the first link; 0: the second link is active.
-  bool within_line_ = false;   ///< The last byte of the second link is within a line.
-  bool skipping_ = false;      ///< The beginning of that line was dropped.
+  /// Session of the first link; 0 means that the second link is active.
+  std::uint32_t session_ = 0;
+  bool within_line_ = false;  ///< The last byte of the second link is within a line.
+  bool skipping_ = false;  ///< The beginning of this line was dropped, so its rest is dropped, too.
 };
 
 }  // namespace cnc

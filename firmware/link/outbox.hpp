@@ -9,7 +9,8 @@
 
 namespace cnc {
 
-/// Answers that wait until a link accepts them. A link may accept only a part of them in one call.
+/// Answers that wait until a link accepts them. A link may accept only a part of the bytes in one
+/// call.
 template <std::size_t Capacity>
 class Outbox {
  public:

@@ -12,7 +12,8 @@ enum class RealtimeByte : std::uint8_t {
   kCycleStart = '~',
   kFeedHold = '!',
   kStatus = '?',
-  kStatusRaw = 0x80,  ///< First of grblHAL's forms of ?, ~ and ! that are not ASCII characters.
+  /// grblHAL's form of `?` that is not an ASCII character; the forms of `~` and `!` follow.
+  kStatusRaw = 0x80,
   kCycleStartRaw = 0x81,
   kFeedHoldRaw = 0x82,
   kParserState = 0x83,

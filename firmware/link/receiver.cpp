@@ -61,8 +61,8 @@ void Receiver::receive_all(std::span<const char> received) {
   }
 }
 
-/// Drops a byte of a lost line. Comments are still tracked, because they decide which bytes act.
-/// CR, LF and CR LF end a line.
+/// Drops a byte of a lost line. Comments are tracked in lost lines, too, because within a comment
+/// no byte except a reset acts. CR, LF and CR LF end a line.
 void Receiver::lose(char byte) {
   const auto code = static_cast<std::uint8_t>(byte);
   if (!is_continuation(code)) {
@@ -184,8 +184,8 @@ void Receiver::act(std::uint8_t code) {
   if (!commands_.try_push(command) && is_stop(command)) late_hold_.store(true);
 }
 
-/// Resets the state within a line: the comment, the character of several bytes and the pair of
-/// bytes.
+/// Resets the state within a line: no comment and no character of several bytes is open, and no
+/// byte waits for its repetition.
 void Receiver::end_text() {
   comment_ = Comment::kNone;
   lead_waits_ = false;
@@ -224,9 +224,9 @@ void Receiver::keep_back() {
   keeps_back_ = true;
 }
 
-/// Extends the kept bytes to the end of their last line. This is necessary if kToolAcknowledge
-/// arrived in the middle of a line, or between its CR and LF. Returns false if the end of that line
-/// has not arrived.
+/// Extends the bytes that are kept back to the end of their last line. This is necessary if
+/// kToolAcknowledge arrived in the middle of a line, or between its CR and LF. Returns false if the
+/// end of that line has not arrived.
 bool Receiver::has_whole_kept() {
   if (kept_ == 0 || lines_.taken() != kept_at_) return true;
   while (lines_.at(kept_ - 1) != '\n' && lines_.at(kept_ - 1) != '\r') {

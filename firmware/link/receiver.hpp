@@ -22,8 +22,8 @@ namespace cnc {
 ///
 /// If every line is checked (`be_strict`), no byte acts within a line or comment, because any byte
 /// may be damaged. The byte becomes part of the line, and the check of the line then fails. Between
-/// lines a byte acts if it arrives twice in a row. A single `?` also acts there, because a status
-/// report is harmless.
+/// lines, a realtime byte acts only if it arrives twice in a row. A single `?` also acts between
+/// lines, because a status report is harmless.
 ///
 /// No byte of a line is ever dropped by `receive`. If there is no free space, `receive` refuses the
 /// byte, the caller must offer the byte again, and the link stops reading meanwhile. A reset is
@@ -46,8 +46,8 @@ class Receiver {
   [[nodiscard]] std::size_t receive(std::span<const char> received);
 
   /// Processes all bytes, so that realtime bytes act even if lines wait. If a byte of a line does
-  /// not fit, that line and all later lines until the next reset are lost. The reason is that no
-  /// line may be executed after a gap.
+  /// not fit, this line and all later lines until the next reset are lost, because no line may be
+  /// executed after a gap.
   void receive_all(std::span<const char> received);
   /// Returns true once for each lost line, after all earlier lines have been taken.
   [[nodiscard]] bool take_lost_line();
@@ -56,8 +56,8 @@ class Receiver {
   /// a line or comment. Other bytes are ignored. Main loop.
   void act_at_once(std::uint8_t code);
 
-  /// Returns the number of bytes from the front of `bytes` that only belong to a line and have no
-  /// other effect.
+  /// Returns the number of bytes at the front of `bytes` that would only be stored as bytes of a
+  /// line.
   [[nodiscard]] std::size_t plain_run(std::span<const char> bytes) const {
     if (!plain_) return 0;
     const auto end = std::find_if_not(bytes.begin(), bytes.end(), is_plain);
@@ -66,11 +66,12 @@ class Receiver {
 
   /// Returns the number of bytes that can be received now without refusal.
   [[nodiscard]] std::uint32_t room() const;
-  /// Returns the free space for status reports, bytes; it is kAdvertisedBytes if no byte waits.
+  /// Returns the free space that status reports show, in bytes; it is kAdvertisedBytes if no byte
+  /// waits.
   [[nodiscard]] std::uint32_t advertised_room() const;
 
-  /// Passes bytes of lines to `take` until `take` returns true. Returns false if no more bytes are
-  /// available before that.
+  /// Passes bytes of lines to `take` until `take` returns true. Returns false if the available
+  /// bytes end before.
   template <typename Take>
   [[nodiscard]] bool take_until(Take&& take) {
     if (reset_.load()) return false;
@@ -78,7 +79,7 @@ class Receiver {
     return has_whole_kept() && lines_.pop_behind(kept_, take);
   }
 
-  /// Keeps back the lines that arrived before the last kToolAcknowledge, each up to its end. Until
+  /// Keeps back the lines whose beginning arrived before the last kToolAcknowledge. Until
   /// release(), only lines that arrived later are taken.
   void keep_back();
   /// Returns whether all lines that arrived before the last cycle start have been taken, except
@@ -183,13 +184,16 @@ class Receiver {
 
   std::atomic<std::uint32_t> lost_lines_{0};
 
-  // A plain byte is only stored: no comment, character, pair of bytes or overrun is open.
-  bool plain_ = true;  ///< None of the states below holds, so a plain byte is only stored.
+  /// No comment, character or pair of bytes is open, and no line is being lost. So a plain byte is
+  /// only stored.
+  bool plain_ = true;
   Comment comment_ = Comment::kNone;
-  bool lead_waits_ = false;        ///< C2 was received and is not stored yet.
+  /// 0xC2 was received and is not stored yet, because it may begin a realtime byte in UTF-8.
+  bool lead_waits_ = false;
   std::uint8_t continuation_ = 0;  ///< Number of bytes of the character that have not arrived.
   bool strict_ = false;
-  /// Byte that arrived once between two lines; it acts if it arrives again.
+  /// Realtime byte that arrived once between two lines; it acts if it is also the next byte. 0 for
+  /// none.
   std::uint8_t once_ = 0;
   bool overrun_ = false;  ///< Lines are lost until the next reset.
   char lost_last_ = 0;    ///< Last byte that was lost.

@@ -3,8 +3,8 @@
 namespace cnc {
 namespace {
 
-/// Number of poll intervals to wait: allows for one lost poll and for a delay of the next poll by
-/// half an interval.
+/// Number of poll intervals without a byte after which the sender counts as gone. It allows for one
+/// lost poll and for a delay of the next poll by half an interval.
 constexpr float kIntervals = 2.5F;
 
 /// Limits the age of `time` to `most` microseconds.

@@ -24,10 +24,11 @@ class SilenceWatch {
   /// Factor on the allowed time: CNCjs and gSender poll four times a second by a timer that is
   /// sometimes a little late.
   static constexpr float kGrace = 1.2F;
-  /// Upper bound of the time that is derived from the poll intervals, microseconds.
+  /// Upper bound of the expected silence that is derived from the poll intervals, microseconds.
   static constexpr std::int32_t kMaxUs = 2'000'000;
   /// Longest interval that counts as regular polling, microseconds: a longer interval means that a
-  /// user requests reports by hand. A fifth below kMaxUs.
+  /// user requests reports by hand. It is shorter than kMaxUs by a fifth, so that a late poll is
+  /// tolerated.
   static constexpr std::int32_t kLongestIntervalUs = 1'600'000;
 
   /// Notes that bytes of any kind arrived. Called before poll().
@@ -41,7 +42,8 @@ class SilenceWatch {
 
   /// Returns whether the sender is gone. Called at least once in kLongSilenceUs.
   /// @param allowed_ms allowed silence, above 0
-  /// @param owes whether all lines have been answered and the sender's program has not ended
+  /// @param owes whether the sender must send a line, because all of its lines have been answered
+  ///     and the beam may be on
   [[nodiscard]] bool gone(hal::TickCount now, float allowed_ms, bool owes);
   /// Returns whether gone() is false for both values of `owes`, because a byte arrived within the
   /// allowed time.

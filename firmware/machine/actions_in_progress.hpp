@@ -13,7 +13,7 @@ namespace cnc {
 /// The part of a line that is still to be done.
 struct RestOfLine {
   gcode::Actions actions{};         ///< Views into the machine's interpreter.
-  motion::OutputChanges outputs{};  ///< Changes that take effect with the next motion.
+  motion::OutputChanges outputs{};  ///< Changes of outputs that take effect with the next motion.
   bool pauses = false;              ///< Whether the machine pauses after the line (single block).
 };
 
@@ -21,7 +21,7 @@ struct RestOfLine {
 /// of them: its path elements, its dwell or its pause.
 class ActionsInProgress {
  public:
-  // The line.
+  // Functions for the line.
 
   /// Begins a line.
   /// @param pauses whether the machine pauses when the line is done
@@ -49,14 +49,14 @@ class ActionsInProgress {
     is_dwelling_ = false;
     dwell_.cancel();
   }
-  /// Drops everything, also outputs and pauses.
+  /// Drops the rest of the line, its changes of outputs and its pauses.
   void clear() {
     drop();
     line_ = {};
     is_paused_ = false;
   }
 
-  // Outputs that change with the next motion.
+  // Functions for the outputs that change with the next motion.
 
   [[nodiscard]] const motion::OutputChanges& outputs() const { return line_.outputs; }
   /// Forgets the changes, because they were passed to a motion.
@@ -67,8 +67,8 @@ class ActionsInProgress {
     const std::uint8_t channel = line_.outputs.analog_channel;
     return channel != motion::OutputChanges::kNoAnalog && channel != number;
   }
-  /// Adds a change of an output. It replaces a waiting change of the same output. An analog change
-  /// replaces the waiting analog change, also of another output.
+  /// Adds a change of an output. The change replaces a waiting change of the same output. An analog
+  /// change also replaces a waiting change of another analog output.
   /// @param level 65535 is full scale
   void add_output(const gcode::OutputChange& change, std::uint16_t level) {
     motion::OutputChanges& next = line_.outputs;
@@ -82,7 +82,7 @@ class ActionsInProgress {
     next.lower = static_cast<std::uint8_t>(level != 0 ? next.lower & ~bit : next.lower | bit);
   }
 
-  // The present action.
+  // Functions for the present action.
 
   /// Begins a cycle, with a new budget of spline points.
   void begin_cycle() { spline_points_ = kSplinePoints; }
@@ -98,7 +98,7 @@ class ActionsInProgress {
     is_dwelling_ = !dwell_.over();
     return !is_dwelling_;
   }
-  /// Counts `elapsed_us`, the time since the last cycle began, for a dwell.
+  /// Subtracts `elapsed_us`, the time since the last cycle began, from the rest of the dwell.
   void pass(std::int32_t elapsed_us) { dwell_.pass(elapsed_us); }
   [[nodiscard]] bool is_dwelling() const { return is_dwelling_; }
 
@@ -108,15 +108,16 @@ class ActionsInProgress {
   [[nodiscard]] bool is_paused() const { return is_paused_; }
 
  private:
-  /// Number of spline points that may be evaluated in a cycle. They take 0.4 ms on the emulated
-  /// chip. The last step of a spline may double this time.
+  /// Number of spline points that may be evaluated in a cycle. It bounds the time that splines take
+  /// in a cycle. The last step of a spline may double this time.
   static constexpr std::uint32_t kSplinePoints = 300;
 
   RestOfLine line_{};
   bool is_dwelling_ = false;
   bool is_paused_ = false;
   Dwell dwell_{};
-  std::uint32_t spline_points_ = kSplinePoints;  ///< Points left in this cycle's budget.
+  /// Number of points that are left in this cycle's budget.
+  std::uint32_t spline_points_ = kSplinePoints;
   ActionElements elements_{};
 };
 

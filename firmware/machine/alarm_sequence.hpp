@@ -4,8 +4,9 @@
 
 namespace cnc {
 
-/// The present alarm, and the steps before it. Either the motion first stops on its path and the
-/// alarm follows, or the motion is cut off and is dropped in a later cycle.
+/// The present alarm, and the state of the motion before and after it. Either the motion first
+/// stops on its path and the alarm is raised at rest, or the alarm cuts the motion off, and a later
+/// cycle drops it.
 class AlarmSequence {
  public:
   /// Returns the present alarm, or kNone.
@@ -20,7 +21,7 @@ class AlarmSequence {
     needs_reset_ = needs_reset_ || alarm == Alarm::kHardLimit || alarm == Alarm::kSoftLimit ||
                    alarm == Alarm::kCompensation || alarm == Alarm::kStoreDamaged;
   }
-  /// Sets whether a reset is required, regardless of earlier alarms.
+  /// Sets whether only a reset can end the alarm, regardless of earlier alarms.
   void set_needs_reset(bool needs) { needs_reset_ = needs; }
 
   /// Notes that the motion is stopping on its path, and that `alarm` must be raised once all axes
@@ -30,8 +31,8 @@ class AlarmSequence {
   /// Returns the alarm to raise once all axes are at rest. @pre stops()
   [[nodiscard]] Alarm stopping_for() const { return stopping_for_; }
 
-  /// Notes that the motion was cut off. The remaining motion must be dropped when the motors have
-  /// stopped.
+  /// Notes that the motion was cut off, so that the remaining motion is dropped when the motors
+  /// have stopped.
   void cut_off() { cuts_off_ = true; }
   [[nodiscard]] bool cuts_off() const { return cuts_off_; }
 

@@ -27,10 +27,10 @@ class CompensatedPath : private compensation::Compensator {
   using Compensator::stand_at;
   using Compensator::take;
 
-  // The kerf.
+  // Functions for the kerf.
 
   /// Sets the kerf table that M190, G41 and G42 use from now on.
-  /// @param table its view must outlive its use
+  /// @param table the memory that its view refers to must outlive its use
   void use_kerf(const kerf::SelectedTable& table) { kerf_ = table; }
   [[nodiscard]] const kerf::SelectedTable& kerf() const { return kerf_; }
   /// Returns the displacement of the kerf's edge as a function of the heat input, for the
@@ -38,9 +38,9 @@ class CompensatedPath : private compensation::Compensator {
   /// @pre the table has a kerf for the condition
   [[nodiscard]] const kerf::KerfCourse& course_from(const kerf::Condition& condition);
 
-  // G41, G42 and G40.
+  // Functions for G41, G42 and G40.
 
-  /// Stores the compensation of G41 or G42. It begins with the entry.
+  /// Stores the compensation of G41 or G42. The compensation begins with the entry.
   /// @pre wanted.side is not kOn
   void set(const gcode::CutterCompensation& wanted, Plane plane) {
     wanted_ = wanted;
@@ -54,7 +54,7 @@ class CompensatedPath : private compensation::Compensator {
   [[nodiscard]] bool compensates() const { return is_wanted() || active(); }
   /// Returns whether the kerf determines the offset. This holds until the end of the exit.
   [[nodiscard]] bool by_kerf() const { return wanted_.by_kerf; }
-  /// Notes that the exit was driven.
+  /// Notes that the exit was driven, so that by_kerf() becomes false.
   void end_exit() { wanted_.by_kerf = false; }
   /// Resets everything except the kerf table.
   void reset() {
@@ -62,18 +62,18 @@ class CompensatedPath : private compensation::Compensator {
     clear();
   }
 
-  // Elements of the programmed path.
+  // Functions for the elements of the programmed path.
 
-  /// Begins compensation if `element` is the entry. Returns false if the entry is still to come,
-  /// because `element` moves no axis of the plane.
+  /// Begins compensation if `element` is the entry. Returns false if a later element will be the
+  /// entry, because `element` moves no axis of the plane.
   /// @pre the element moves
   [[nodiscard]] bool begin_with(const PathElement& element);
   /// Prepares an element that is driven without an offset. If the machine is at the offset from the
   /// programmed path, removes the motion of the plane's axes from the element.
   void move_apart(PathElement& element);
   /// Returns whether the machine is still at the offset from the programmed path after a straight
-  /// motion to `end`, because this motion moves no axis of the plane. A motion of length 0 is an
-  /// exit.
+  /// motion to `end`, because this motion moves no axis of the plane. A motion of length 0 counts
+  /// as an exit, so the result is then false.
   [[nodiscard]] bool stays_beside(const Position& end) const;
 
  private:
@@ -82,7 +82,7 @@ class CompensatedPath : private compensation::Compensator {
   gcode::CutterCompensation wanted_{};  ///< State that G41 or G42 has set.
   Plane wanted_plane_ = Plane::kXY;     ///< Plane of G41 or G42.
   kerf::SelectedTable kerf_{};
-  /// Displacement of the kerf's edge, by which the motors correct the path.
+  /// Displacement of the kerf's edge by heat input. The motors correct the path by it.
   kerf::KerfCourse course_{};
 };
 

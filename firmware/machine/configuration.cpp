@@ -15,27 +15,28 @@ constexpr float kTicksPerMicrosecond = static_cast<float>(motion::kTicksPerSecon
 /// Maximum sum of the step rates of all motors, in steps/s. The step interrupt is budgeted for it.
 constexpr float kMaxStepsPerSecond = 200'000.0F;
 
-/// Delay, in ticks, between the due time of a step pulse and its two real edges. The lengths of
-/// pulse and pause count from the real edges, and the interrupt takes most of a microsecond to
-/// reach each edge.
+/// Delay, in ticks, between the due time of a step pulse and its two real edges. The interrupt
+/// takes most of a microsecond to reach each edge, and the lengths of pulse and pause are measured
+/// between the real edges.
 constexpr float kTicksToEdges = 8.0F;
 
-/// Share of the maximum step rate that a motor may use. The reserve prevents lateness of steps from
-/// accumulating.
+/// Share of the maximum step rate that a motor may use. The rest is a reserve, in which late steps
+/// catch up, so that their lateness does not accumulate.
 constexpr float kSlotUse = 0.97F;
 
 /// Farthest position of an axis from zero, in steps. It is about half of AxisScale::kMaxSteps, so
-/// that the distance between both ends, plus the offset of a tool, still fits. Linear axes have the
-/// same reserve in nanometres, for arcs.
+/// that the distance between the farthest positions on both sides of zero, plus the offset of a
+/// tool, still fits. Linear axes have the same reserve in nanometres, because arcs require it.
 constexpr std::int32_t kFarthestStep = AxisScale::kMaxSteps / 2 - (1 << 24);
 constexpr Coordinate farthest_on(std::size_t axis) {
   constexpr std::int64_t kMax = Coordinate::kFarthestNanometres;
   return Coordinate{axis < kLinearAxisCount ? kMax / 2 : kMax};
 }
 
-/// Returns the greatest distance of an axis from machine zero. All linear axes have the distance of
-/// the linear axis with the most steps per mm. The reason is that the chord of an arc is also
-/// turned by 90 degrees, and then counted in steps of the other axis of the plane.
+/// Returns the greatest distance of an axis from machine zero. For all linear axes it is the
+/// distance that the linear axis with the most steps per mm allows. The reason is that the planner
+/// also turns the chord of an arc by 90 degrees, so that its length on one axis is counted in steps
+/// of the other axis of the plane.
 Coordinate reach_on(const Settings& settings, std::size_t axis) {
   const bool is_linear = axis < kLinearAxisCount;
   const std::size_t begin = is_linear ? 0 : axis;
@@ -82,7 +83,7 @@ motion::BacklashSetting backlash_from(const Settings& settings, std::size_t axis
           .rate = BacklashSetting::kRateShare * rate,
           .acceleration = share * settings.get(setting::kAcceleration, axis),
           .jerk = share * settings.get(setting::kJerk, axis),
-          // The pull-off at the end of homing was the last motion, in this direction.
+          // The last motion of homing is the pull-off, in this direction.
           .starts_towards_plus = (homes_low >> axis & 1U) != 0};
 }
 

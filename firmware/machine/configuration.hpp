@@ -11,12 +11,12 @@
 namespace cnc {
 
 /// Conversions of the settings into the types and units of each module. For an axis with backlash,
-/// the limits of the planner are reduced by the share that compensation of the backlash uses
+/// the limits of the planner are reduced by the share that the taking up of play may use
 /// (BacklashSetting).
 [[nodiscard]] motion::Limits limits_from(const Settings& settings);
 [[nodiscard]] motion::MotorStageSetting motor_stage_from(const Settings& settings);
-/// Returns the response of the beam. For a spindle, returns the neutral response, so that the
-/// output is proportional to S.
+/// Returns the response of the beam. For a spindle, returns a response by which the output is
+/// proportional to S.
 [[nodiscard]] motion::BeamResponse beam_response_from(const Settings& settings,
                                                       const motion::PowerTable& table);
 [[nodiscard]] gcode::Options gcode_options_from(const Settings& settings);

@@ -6,7 +6,7 @@
 
 namespace cnc {
 
-/// Stages after the door was opened, in order. The stages after kStopped lead the tool back to the
+/// Stages after the door was opened, in order. The stages after kStopped return the tool to the
 /// work.
 enum class DoorStage : std::uint8_t {
   kStopping,  ///< The motors brake along their path.
@@ -26,7 +26,8 @@ struct ParkingPlaces {
   StepPosition parked{};
 };
 
-/// Present stage after the door was opened, and positions of the parking axis on its trip.
+/// State of the machine after the door was opened: the present stage, and the positions of the
+/// parking axis on its trip.
 class DoorSequence {
  public:
   [[nodiscard]] DoorStage stage() const { return stage_; }

@@ -16,7 +16,7 @@ class Dwell {
   void cancel() { left_us_ = 0; }
 
   /// Counts `elapsed_us`, the time since the last cycle began. The first call after start() counts
-  /// nothing, because its time began before the dwell.
+  /// nothing, because that cycle began before the dwell.
   void pass(std::int32_t elapsed_us) {
     if (!begins_ && left_us_ > 0) left_us_ -= elapsed_us;
     begins_ = false;

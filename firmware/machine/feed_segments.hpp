@@ -6,9 +6,9 @@
 
 namespace cnc {
 
-/// Hands segments to the drive. Stops when the drive has enough of them, when no more exist, or
-/// when the segments of this call last three cycles. The last bound limits the planning time of the
-/// cycle in which motion starts.
+/// Hands segments to the drive. Stops when the drive has enough segments, when `next` has no more,
+/// or when the segments of this call last three cycles. The bound of three cycles limits the
+/// planning time of the cycle in which motion starts.
 /// @param next makes the next segment; returns false if there is none
 template <typename Source>
 void feed_segments(StepDrive& drive, Source&& next) {

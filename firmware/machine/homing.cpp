@@ -11,13 +11,14 @@ namespace {
 
 constexpr std::uint32_t kPasses = 6;
 constexpr float kSeekTravels = 1.5F;
-/// Length of a slow approach in pull-off distances: longer than the pull-off, but limited.
+/// Maximum length of a slow approach, as a multiple of the pull-off distance. The approach must be
+/// longer than the pull-off that precedes it.
 constexpr float kLocatePullOffs = 5.0F;
 /// Maximum search distance, mm. The steps of a longer search would overflow the counters.
 constexpr float kLongestSearchMm = 400'000.0F;
 constexpr float kFullTurnDegrees = 360.0F;
-/// Maximum distance between the positions of the two motors of an axis, as a share of the travel;
-/// Grbl's default.
+/// Maximum distance between the switch positions of the two motors of an axis, as a share of the
+/// travel. The value is Grbl's default.
 constexpr float kSkewShare = 0.05F;
 constexpr float kMinSkewMm = 2.5F;
 constexpr float kMaxSkewMm = 25.0F;
@@ -80,8 +81,8 @@ Homing::Outcome Homing::begin_approach() {
 }
 
 /// Moves all axes that have not found their switch. They move by the same distance, so that each
-/// axis has the full rate. The distance ends where the first of them has searched its maximum
-/// distance.
+/// axis moves at the full rate. The motion ends where one of the axes has reached its maximum
+/// search distance.
 Homing::Outcome Homing::go_on_approaching() {
   const Position here = motion_.target();
   Coordinate distance{Coordinate::kFarthestNanometres};
@@ -160,8 +161,8 @@ Homing::Outcome Homing::after_pull_off(const hal::InputState& read) {
   return next_pass() ? begin_approach() : Outcome::kDone;
 }
 
-/// Sets the motors' counters and the machine's coordinates by the position of the switches. The
-/// motors do not move.
+/// Sets the step counts and the machine coordinates of the axes of this pass by the positions of
+/// their switches. The motors do not move.
 Homing::Outcome Homing::finish_pass() {
   const AxisArray<std::int32_t> steps = motion_.tool_steps();
   for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
@@ -212,8 +213,8 @@ Coordinate Homing::pull_off_distance() const {
   return from_mm(settings_.get(setting::kHomingPullOff));
 }
 
-/// Returns the position of an axis's switch. It is an end of the travel. If homing sets the origin
-/// ($22 bit 3), it is the position for which the axis is at zero after the pull-off.
+/// Returns the machine coordinate of an axis's switch. Without $22 bit 3, the switch is at an end
+/// of the travel. With this bit, homing sets the origin: the axis is at zero after the pull-off.
 Coordinate Homing::switch_place(std::size_t axis) const {
   if (has_homing_option(settings_, homing_option::kSetOrigin)) {
     return homes_low(axis) ? -pull_off_distance() : pull_off_distance();

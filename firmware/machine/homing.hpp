@@ -16,8 +16,9 @@ namespace cnc {
 /// The step interrupt latches the step at which a switch closed, and the motors then brake within
 /// their limits. So no step is lost, and the overrun after the switch does not affect the result.
 /// If the axes of one pass reach their switches at different times, all of them stop whenever one
-/// axis reaches its switch. The remaining axes then continue. On an axis with two motors ($852),
-/// each motor stops at its own switch and waits for the other motor. This squares the axis.
+/// axis reaches its switch. The axes that have not reached their switches then continue. On an axis
+/// with two motors ($852), each motor stops at its own switch and waits for the other motor. This
+/// squares the axis.
 class Homing {
  public:
   enum class Outcome : std::uint8_t {
@@ -32,17 +33,18 @@ class Homing {
       : drive_{drive}, motion_{motion}, settings_{settings} {}
 
   /// Begins homing.
-  /// @param axes bit i for axis i; 0 for all axes that have a pass
+  /// @param axes bit i for axis i; 0 for all axes that are in a pass
   /// @pre nothing is planned and nothing moves
   void start(std::uint8_t axes, const motion::BeamCommand& beam);
 
   /// Continues homing; to be called in each cycle.
-  /// @param read present inputs, not filtered: homing waits $26 after a motion before it uses them
+  /// @param read present inputs without filtering, because homing waits for the time $26 after a
+  ///     motion before it uses them
   [[nodiscard]] Outcome poll(const hal::InputState& read, std::int32_t elapsed_us);
   /// Cancels homing. The caller must stop the motion.
   void cancel() { drive_.unwatch_switches(); }
 
-  /// Returns the axes that completed passes have homed, bit i for axis i.
+  /// Returns the axes that have been homed in the completed passes, bit i for axis i.
   [[nodiscard]] std::uint8_t found() const { return done_; }
 
  private:
@@ -83,7 +85,7 @@ class Homing {
   std::uint32_t pass_ = 0;               ///< Index of the next pass.
   std::uint32_t locates_ = 0;            ///< Number of slow approaches begun; 0 in the fast search.
   Position from_{};                      ///< Start of this approach.
-  AxisArray<std::int32_t> closed_at_{};  ///< Tool steps at which the switches closed.
+  AxisArray<std::int32_t> closed_at_{};  ///< Tool position, in steps, at which each switch closed.
 };
 
 }  // namespace cnc

@@ -7,8 +7,8 @@
 namespace cnc {
 
 /// Removes the bounce of the machine's switches. A change of an input is accepted after three equal
-/// samples, which are a millisecond apart. Each input is filtered separately, so that an input that
-/// chatters does not delay another input.
+/// samples, which are a millisecond apart. Each input is filtered separately, so that one
+/// chattering input does not delay the other inputs.
 class InputFilter {
  public:
   /// Time between samples. Contacts bounce for up to 2 ms; noise from a spindle is far shorter.
@@ -32,8 +32,8 @@ class InputFilter {
   }
 
   [[nodiscard]] const hal::InputState& settled() const { return settled_; }
-  /// Returns the filtered state before the last sample. If poll() returned true, the difference
-  /// from settled() shows the changed inputs.
+  /// Returns the filtered state before the last sample. After poll() has returned true, the inputs
+  /// that differ from settled() are the changed inputs.
   [[nodiscard]] const hal::InputState& before() const { return before_; }
   /// Returns the inputs of the last poll(), not filtered.
   [[nodiscard]] const hal::InputState& raw() const { return raw_; }

@@ -29,7 +29,7 @@ void LightGap::follow(float min_mm) {
   followed_ = here;
 }
 
-/// If the point where the light ended is not known exactly, gap_.from stays the position at
+/// If the point where the light ended cannot be reached exactly, gap_.from remains the position at
 /// begin().
 void LightGap::find() {
   opens_ = false;

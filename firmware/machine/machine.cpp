@@ -3,7 +3,8 @@
 namespace cnc {
 namespace {
 
-/// Returns whether the mode is G1, G2 or G3: only in these modes M3 may switch the beam on at rest.
+/// Returns whether the mode is G1, G2 or G3: only in these modes may M3 switch the beam on for a
+/// dot at rest.
 bool cuts_by_mode(gcode::MotionMode mode) {
   return mode >= gcode::MotionMode::kLine && mode <= gcode::MotionMode::kArcCounterClockwise;
 }
@@ -65,7 +66,7 @@ gcode::Refusal Machine::accept(std::string_view line) {
   return refusal;
 }
 
-/// Interprets a line. Its actions wait for run_actions().
+/// Interprets a line. The actions of the line are run later, by run_actions().
 gcode::Refusal Machine::take_line(std::string_view line) {
   CNC_ASSERT(!busy() && !locked());
   const Position from = interpreter_.position();
@@ -86,8 +87,8 @@ gcode::Refusal Machine::take_line(std::string_view line) {
   return {};
 }
 
-/// Handles a line that would leave the travel. A program is stopped. In a tool change only the line
-/// is refused, and the program waits.
+/// Handles a line that would leave the travel. Stops a program with an alarm. In a tool change,
+/// refuses only the line, and the program continues to wait.
 gcode::Refusal Machine::leave_travel(const Position& from) {
   if (!tool_change_.open()) {
     stop_for(Alarm::kSoftLimit);
@@ -126,7 +127,8 @@ void Machine::poll(hal::TickCount now) {
   if (rested && drive_.running()) memory_.check_settings();
 }
 
-/// Advances the task of the present mode. Before that, raises the alarm of a stop that is complete.
+/// Advances the task of the present mode. If a stop for an alarm is complete, raises the alarm
+/// instead.
 void Machine::attend_mode(std::int32_t elapsed_us) {
   if (alarm_.stops() && motion_.at_rest()) {
     find_gap();
@@ -141,8 +143,8 @@ void Machine::attend_mode(std::int32_t elapsed_us) {
     case Mode::kDoor:
       return attend_door();
     case Mode::kFree:
-      // An input that was active before a reset causes no further event, so both states are checked
-      // here.
+      // An input that is still active after a reset causes no new event, so the states of both
+      // inputs are checked here.
       if (inputs().emergency_stop) return emergency_stop();
       if (inputs().door) safety_door();
       return;
@@ -157,7 +159,7 @@ void Machine::attend_mode(std::int32_t elapsed_us) {
 }
 
 /// Runs the waiting actions. In a hold, lines are still planned. In the door stages, no action
-/// runs, so that nothing is switched.
+/// runs, so that no action switches an output.
 void Machine::run_actions() {
   if (alarm_.cuts_off() || state_.in(Mode::kDoor)) return;
   if (alarm_.stops() || tool_change_.stage() == ToolChange::Stage::kStopping) return;

@@ -62,8 +62,8 @@ class Machine {
   /// checked and moves nothing.
   /// @pre !busy() && !locked()
   [[nodiscard]] gcode::Refusal accept(std::string_view line);
-  /// Returns whether no further line is accepted yet. The last line may wait for free space in the
-  /// planner, for standstill or for the end of a dwell, or homing, a stop or a reset is not
+  /// Returns whether no further line is accepted yet. Either the last line waits for free space in
+  /// the planner, for standstill or for the end of a dwell; or homing, a stop or a reset is not
   /// complete.
   [[nodiscard]] bool busy() const;
 
@@ -72,8 +72,8 @@ class Machine {
   void poll(hal::TickCount now);
 
   /// Takes a jog: `words` is the text after `$J=`. The machine must be idle, jogging or in an open
-  /// tool change. A feed above the limits of the axes is reduced to them. The modes of the program
-  /// do not change.
+  /// tool change. A feed above the limits of the axes is reduced to these limits. The modes of the
+  /// program do not change.
   /// @pre !busy()
   [[nodiscard]] std::optional<JogRefusal> jog(std::string_view words);
 
@@ -106,7 +106,7 @@ class Machine {
   /// Ends an alarm. Returns false if the door is open, if the emergency stop is pressed, or if the
   /// alarm requires a reset first.
   bool unlock();
-  /// Locks the machine at power-up because stored data could not all be read. Nothing moves before
+  /// Locks the machine at power-up because some stored data could not be read. Nothing moves before
   /// a reset and an unlock.
   void lock_for_damage() { raise_alarm(Alarm::kStoreDamaged); }
   /// Returns whether the alarm can be unlocked only after a reset.
@@ -125,8 +125,8 @@ class Machine {
   bool acknowledge_tool();
   [[nodiscard]] const ToolChange& tool_change() const { return tool_change_; }
   [[nodiscard]] OperatorSwitches& switches() { return switches_; }
-  /// Toggles block delete, until $890 is written. Returns whether lines with `/` are skipped from
-  /// now on.
+  /// Toggles block delete. The toggle lasts until $890 is written. Returns whether lines with `/`
+  /// are skipped from now on.
   bool toggle_block_delete();
 
   // An interrupted program, in machine_reentry.cpp.
@@ -146,17 +146,17 @@ class Machine {
   /// @pre idle()
   Result<float, SettingError> change_setting(std::uint16_t number, float value);
   [[nodiscard]] const Settings& settings() const { return set_up_.settings(); }
-  /// Ends G43.4, because axes are to be moved separately or all settings are to change.
+  /// Ends G43.4, because single axes are to be moved or all settings are to change.
   /// @pre idle()
   void end_tool_centre();
-  /// Sets the table of the light power that the beam has at each duty.
+  /// Sets the power table: the light power of the beam at each duty.
   /// @pre idle()
   void set_power_table(const motion::PowerTable& table);
   [[nodiscard]] const motion::PowerTable& power_table() const { return set_up_.power_table(); }
   /// Sets the kerf table that M190, G41 and G42 use from now on.
   /// @param table its view must outlive its use
   void use_kerf(const kerf::SelectedTable& table) { compensated_.use_kerf(table); }
-  /// Sets the positions that were stored at the last power-down.
+  /// Sets the positions (origins, tool radii, G28 and G30) that were loaded from the store.
   /// @pre idle()
   void set_places(const gcode::StoredPlaces& places);
 
@@ -165,19 +165,19 @@ class Machine {
   /// Returns the guard that checks the settings, the memory that is computed from them, and the
   /// positions for flipped bits.
   [[nodiscard]] MemoryGuard& memory() { return memory_; }
-  /// Returns the light at rest, for RestLight::allowed(). Any context.
+  /// Returns the control of the light at rest, on which any context may call RestLight::allowed().
   [[nodiscard]] RestLight& rest_light() { return rest_light_; }
 
-  // State for reports.
+  // Functions that return the state, for reports.
 
   [[nodiscard]] MachineStatus status() const;
   [[nodiscard]] MachineState state() const { return status().state; }
   [[nodiscard]] Alarm alarm() const { return alarm_.now(); }
   /// Returns whether no action is waiting and nothing moves.
   [[nodiscard]] bool idle() const;
-  /// Returns whether a spindle turns, or a beam that does not follow the motion is on.
+  /// Returns whether a spindle is on, or a beam is on at rest.
   [[nodiscard]] bool tool_runs() const;
-  /// Returns whether a beam is on and follows a motion that is not held.
+  /// Returns whether a beam is on: during motion that is not held, or as light at rest.
   [[nodiscard]] bool beam_works() const;
   /// Returns the filtered inputs.
   [[nodiscard]] const hal::InputState& inputs() const { return inputs_.settled(); }
@@ -187,10 +187,10 @@ class Machine {
   /// effect of the speed.
   [[nodiscard]] float spindle_now() const;
   [[nodiscard]] gcode::Coolant coolant() const { return coolant_.now(); }
-  /// Returns the result of the last probe. Before the first probe, its position is 0 and it is no
-  /// success.
+  /// Returns the result of the last probe. Before the first probe, the result has the position 0
+  /// and is no success.
   [[nodiscard]] const Probe& last_probe() const { return probing_.last(); }
-  /// Returns the events that are reported once.
+  /// Returns the events that the protocol takes and reports, each once.
   [[nodiscard]] MachineNews& news() { return news_; }
   /// Returns, once, the part of the path that a door, a lost link or a following reset leaves
   /// uncut; null if there is none.
@@ -207,9 +207,10 @@ class Machine {
   [[nodiscard]] const gcode::Interpreter& interpreter() const { return interpreter_; }
   /// Returns the motion: the tool's position, the speed, the line being driven, free blocks.
   [[nodiscard]] const MotionControl& motion() const { return motion_; }
-  /// Returns the beam or spindle.
+  /// Returns the output for the beam or spindle.
   [[nodiscard]] const ToolOutput& tool() const { return tool_; }
-  /// Returns the number of cycles that took too long for motion to begin in time.
+  /// Returns the number of boundaries at which a due cycle was not complete, so that motion may
+  /// have begun too late.
   [[nodiscard]] std::uint32_t late_turns() const { return drive_.late_turns(); }
   /// Sets an observer of the plan; null for none.
   void observe(motion::SliceObserver* observer) { motion_.observe(observer); }
@@ -336,7 +337,7 @@ class Machine {
   void apply_language_settings();
   [[nodiscard]] bool place_fits() const;
 
-  // Small members come first, because a load instruction of the chip reaches only the first 4 KiB
+  // Small members come first, because one load instruction of the chip reaches only the first 4 KiB
   // of an object.
   StepDrive& drive_;
   hal::AuxiliaryOutputs& outputs_;
@@ -356,7 +357,7 @@ class Machine {
   LightGap gap_;
   std::optional<JogMove> jog_{};  ///< Jog that waits for free space in the planner.
   Travel travel_{};
-  /// State of G43.4 at the last line that ran, also in check mode.
+  /// State of G43.4 after the last line that was executed, or checked in check mode.
   kinematics::ToolCentre tool_centre_{};
   ProgramProgress progress_;
   MachineSetUp set_up_{};

@@ -17,8 +17,8 @@ bool is_path(const Action& action) {
 /// Runs an action. Returns whether it is done; otherwise it is run again in the next poll.
 bool Machine::run(const Action& action) {
   if (state_.in(Mode::kCheck) && !is_path(action)) return true;
-  // G40 is no exit. It may take several cycles, until the planner has free space for all motion in
-  // the compensator.
+  // G40 itself is not the exit. G40 may take several cycles, until the planner has free space for
+  // all motion in the compensator.
   const bool leads_back = action.kind == ActionKind::kCompensation &&
                           action.compensation.side == gcode::CutterSide::kOn;
   if (compensated_.beside() && is_path(action) && !leads_back && !leave_path(action)) return false;
@@ -73,8 +73,8 @@ UsualTolerance Machine::usual_tolerance() const {
           .arc_mm = settings().get(setting::kArcTolerance)};
 }
 
-/// Returns the tolerances of the path. Short lines are not welded while rotary axes turn the part
-/// or the tool, because each part of a line then has its own limits.
+/// Returns the tolerances of the path. Short lines are not welded under G43.4: rotary axes turn the
+/// part or the tool, so each part of a line has separate limits.
 path::Tolerance Machine::tolerance() const {
   path::Tolerance tolerance = path_tolerance(interpreter_.state().path, usual_tolerance());
   if (tool_centre_.active()) tolerance.weld_mm = 0.0F;
@@ -93,12 +93,13 @@ void Machine::append(const ActionPart& part) {
   if (!part.row.empty()) return append_row(item, part.row);
   if (compensated_.compensates() || state_.in(Mode::kCheck)) return append_beside(item);
   if (compensated_.beside()) return drive_apart(item);
-  compensated_.end_exit();  // The exit was the last motion that had to keep by_kerf.
+  compensated_.end_exit();  // The exit was the last motion for which by_kerf() had to stay true.
   if (drive(item)) actions_.forget_outputs();
 }
 
-/// Returns whether a line with several powers may become one element: the tool is on, and neither
-/// compensation, re-entry, check mode nor a tool change needs the pixels as separate elements.
+/// Returns whether a line with several powers (a row of pixels) may become one element. The tool
+/// must be on. Compensation, re-entry, check mode and a tool change require the pixels as separate
+/// elements.
 bool Machine::takes_rows() const {
   return tool_.mode() != gcode::SpindleMode::kOff && !tool_change_.open() &&
          !compensated_.compensates() && !compensated_.beside() && !state_.in(Mode::kCheck) &&
@@ -107,7 +108,7 @@ bool Machine::takes_rows() const {
 
 void Machine::append_row(path::PathItem& item, std::span<const float> speeds) {
   const auto appended = motion_.append_row(item, tool_.powers_of(speeds));
-  CNC_ASSERT(appended.ok());  // No error is possible, see drive().
+  CNC_ASSERT(appended.ok());  // No error is possible, for the reasons in drive().
   if (appended.value()) actions_.forget_outputs();
   tool_.set_speed(speeds.back());
 }
@@ -147,7 +148,8 @@ bool Machine::move(const Action& action) {
 
 bool Machine::dwell(float seconds) { return standstill() && actions_.dwell(seconds); }
 
-/// Runs a dwell (G4). Under M3 the beam may be on meanwhile. Returns whether the dwell is over.
+/// Runs a dwell (G4). Under M3 the beam may be on during the dwell. Returns whether the dwell is
+/// over.
 bool Machine::wait(float seconds) {
   const bool begins = !actions_.is_dwelling();
   const bool over = dwell(seconds);
@@ -159,8 +161,8 @@ bool Machine::wait(float seconds) {
   return over;
 }
 
-/// Sets the mode of the tool. If a spindle starts or reverses, waits for $394. Returns whether this
-/// is complete.
+/// Sets the mode of the tool. If a spindle starts or reverses, waits for $394. Returns whether the
+/// change is complete.
 bool Machine::set_spindle(gcode::SpindleMode mode) {
   if (!standstill()) return false;
   if (!actions_.is_dwelling()) {
@@ -183,8 +185,8 @@ bool Machine::switch_output(const gcode::OutputChange& change) {
     }
     return true;
   }
-  // A block has one analog change. If a change of another channel is waiting, it is output at
-  // standstill.
+  // A block can contain only one analog change. If a change of another channel is waiting, that
+  // change is output at standstill.
   if (change.analog && actions_.changes_other_analog(change.number)) {
     if (!standstill()) return false;
     const motion::OutputChanges& next = actions_.outputs();
@@ -212,7 +214,7 @@ bool Machine::change_tool(std::uint32_t tool) {
   if (settings().get(setting::kToolChange) != 0.0F) return true;
   if (!standstill()) return false;
   if (!actions_.is_paused()) {
-    if (!state_.take(Event::kTool)) return false;  // The change waits for the end of a hold.
+    if (!state_.take(Event::kTool)) return false;  // The tool change waits for the end of a hold.
     actions_.pause();
     tool_change_.want(tool);
     tool_.suspend(true);

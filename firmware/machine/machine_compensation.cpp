@@ -10,7 +10,7 @@ using gcode::CutterSide;
 bool Machine::has_room() {
   if (!drive_rest()) return false;
   if (!compensated_.compensates()) return state_.in(Mode::kCheck) || motion_.has_room();
-  // After a fault the rest of the line is dropped together with all held motion.
+  // After a fault, the rest of the line is dropped together with the motion in the compensator.
   if (news_.path_fault) return false;
   give_out();
   if (!compensated_.active()) return state_.in(Mode::kCheck) || motion_.has_room();
@@ -21,7 +21,7 @@ bool Machine::waits_for_g40() const {
   return compensated_.active() && actions_.empty() && compensated_.has_room();
 }
 
-/// Returns the end of the programmed path so far.
+/// Returns the end position of the programmed path so far. The next motion begins there.
 const Position& Machine::target() const {
   const bool apart = compensated_.active() || compensated_.beside() || state_.in(Mode::kCheck);
   return apart ? compensated_.programmed() : motion_.target();
@@ -29,8 +29,8 @@ const Position& Machine::target() const {
 
 bool Machine::follows_kerf() const { return settings().get(setting::kKerfControl) != 0.0F; }
 
-/// Sets whether the motors correct later motion for the change of the kerf with the speed. Returns
-/// false if this must wait for standstill.
+/// Sets whether the motors correct the following motion for the change of the kerf with the speed.
+/// Returns false if the setting must wait for standstill.
 bool Machine::set_kerf_control(const gcode::CutterCompensation& wanted) {
   const bool follows = wanted.by_kerf && follows_kerf() && !state_.in(Mode::kCheck);
   if (!follows && !motion_.follows_kerf()) return true;
@@ -38,7 +38,7 @@ bool Machine::set_kerf_control(const gcode::CutterCompensation& wanted) {
   motion_.follow_kerf(nullptr);
   if (!follows) return true;
   const gcode::ModalState& modal = interpreter_.state();
-  // The table has a kerf for this condition: the interpreter accepted the line.
+  // The table has a kerf for this condition, because the interpreter has accepted the line.
   motion_.follow_kerf(
       &compensated_.course_from(gcode::kerf_condition(modal, interpreter_.options())));
   return true;
@@ -48,7 +48,7 @@ bool Machine::set_kerf_control(const gcode::CutterCompensation& wanted) {
 /// exit, the power follows the speed, also under M3. Otherwise the kerf would change with the
 /// speed.
 motion::BeamCommand Machine::beam_for(bool rapid) const {
-  if (tool_change_.open()) return {};  // The output of a spindle is off, too.
+  if (tool_change_.open()) return {};  // In a tool change, beam and spindle are off.
   motion::BeamCommand beam = tool_.command_for(rapid);
   if (!rapid && compensated_.by_kerf() && !follows_kerf()) beam.follows_speed = true;
   return beam;
@@ -99,16 +99,16 @@ bool Machine::leave_path(const gcode::Action& action) {
 }
 
 /// Passes an item to the compensator if it is the entry or part of the compensated path. Drives
-/// motion before the entry without an offset. In check mode, also takes motion without
-/// compensation.
+/// motion before the entry without an offset. In check mode, motion without compensation is passed
+/// to this function, too: only the programmed position is updated.
 void Machine::append_beside(path::PathItem& item) {
   const PathElement& element = item.request.element;
   if (element.start == element.end) return;
   if (!compensated_.begin_with(element)) return drive_apart(item);
   if (!compensated_.active()) return compensated_.stand_at(element.end);
   actions_.forget_outputs();
-  // give_out() drives the element: when has_room() is called for the next element, or in the next
-  // cycle.
+  // A later call of give_out() drives the element: by has_room() for the next element, or in the
+  // next cycle.
   if (const auto fault = compensated_.put(item)) refuse_path(*fault);
 }
 
@@ -133,7 +133,7 @@ void Machine::give_out() {
 }
 
 /// Refuses the present line and all motion that the compensator holds. Motion that was already
-/// planned stops on its path, as for the alarm of the soft limits.
+/// planned stops along its path, as with the alarm for soft limits.
 void Machine::refuse_path(const compensation::Fault& fault) {
   news_.path_fault = fault;
   if (state_.in(Mode::kCheck)) return raise_alarm(Alarm::kCompensation);

@@ -3,8 +3,8 @@
 
 namespace cnc {
 
-/// Holds the motion and switches a beam off immediately. The other stages follow at rest. If the
-/// door opens during resumption, the stages restart.
+/// Holds the motion and switches a beam off immediately. The further stages follow at rest. If the
+/// door opens again during resumption, the stages restart.
 void Machine::safety_door() {
   if (tool_change_.open()) return stop_in_tool_change();
   if (state_.in(Mode::kHome)) return raise_alarm(Alarm::kHomingDoor);
@@ -21,8 +21,8 @@ void Machine::safety_door() {
   if (!reopened) gap_.begin();
 }
 
-/// Returns whether the door is stopping a jog. The start of the next line is unknown until the axes
-/// are at rest.
+/// Returns whether the door is stopping a jog. No further line is accepted meanwhile, because the
+/// position at which the next line starts is unknown until the axes are at rest.
 bool Machine::door_stops_jog() const {
   return state_.in(Mode::kDoor) && door_.stage() == DoorStage::kStopping && door_.ends_jog();
 }
@@ -66,7 +66,7 @@ void Machine::end_door() {
   static_cast<void>(state_.take(Event::kStay));
 }
 
-/// Takes the motion back to the point where a blocked beam went off, and sets the noted progress of
+/// Sets the plan back to the point where a blocked beam went off, and sets the noted progress of
 /// the program to this point.
 void Machine::find_gap() {
   if (!gap_.opens()) return;

@@ -10,7 +10,7 @@ kinematics::ToolCentre Machine::wanted_tool_centre() const {
 }
 
 /// Begins or ends G43.4. The axes do not move. The programmed position becomes the position of the
-/// tip, or of the axes again.
+/// tip under G43.4, and the position of the axes after its end.
 bool Machine::switch_tool_centre() {
   if (!standstill()) return false;
   tool_centre_ = wanted_tool_centre();
@@ -19,7 +19,7 @@ bool Machine::switch_tool_centre() {
   return true;
 }
 
-/// Ends G43.4, because axes are to be moved separately.
+/// Ends G43.4, because single axes are to be moved.
 /// @pre nothing moves
 void Machine::end_tool_centre() {
   if (!tool_centre_.active()) return;
@@ -27,7 +27,8 @@ void Machine::end_tool_centre() {
   static_cast<void>(switch_tool_centre());
 }
 
-/// Begins or ends G43.4 in check mode, in which only the programmed position is converted.
+/// Begins or ends G43.4 in check mode. Only the programmed position is converted, because nothing
+/// moves.
 void Machine::judge_tool_centre() {
   if (!kinematics::kHasFiveAxes) return;
   const Position axes = tool_centre_.axes_for(interpreter_.position());
@@ -35,7 +36,7 @@ void Machine::judge_tool_centre() {
   interpreter_.set_position(tool_centre_.program_for(axes));
 }
 
-/// Returns whether actions leave the travel.
+/// Returns whether a motion of the actions would leave the travel.
 /// @pre no action is being driven
 bool Machine::leaves_travel(gcode::Actions actions, const Position& from) {
   if (!tool_centre_.active()) return travel_.left_by(actions, from);

@@ -21,7 +21,7 @@ std::optional<JogRefusal> Machine::jog(std::string_view words) {
   const gcode::Action& action = actions.value().front();
   Position end = action.end;
   if (leaves_travel(actions.value(), here)) {
-    // A jog cannot be limited axis by axis while rotary axes move the tip.
+    // Under G43.4 a jog cannot be limited axis by axis, because rotary axes move the tip.
     if (settings().get(setting::kJogLimited) == 0.0F || tool_centre_.active()) {
       interpreter_.set_position(here);
       return JogRefusal{.number = kBeyondTravel};

@@ -3,8 +3,8 @@
 namespace cnc {
 
 /// Stops because the present line must not be driven, for example because it would leave the
-/// travel. The line moves nothing, earlier motion is held, and `alarm` follows at rest. The
-/// position stays known.
+/// travel. The line moves nothing. Earlier motion slows down to rest, and then `alarm` is raised.
+/// The position stays known.
 void Machine::stop_for(Alarm alarm) {
   alarm_.stop_for(alarm);
   static_cast<void>(state_.take(Event::kHold));
@@ -33,7 +33,8 @@ void Machine::hit_limit() {
   raise_alarm(Alarm::kHardLimit);
 }
 
-/// Sets the axes whose position is known.
+/// Sets the axes whose position is known, bit i for axis i. If there is none, the noted progress
+/// can be re-entered only after homing.
 void Machine::set_homed(std::uint8_t axes) {
   if (axes == 0) progress_.lose_place();
   travel_.set_homed(axes, settings());

@@ -2,8 +2,9 @@
 
 namespace cnc {
 
-/// Selects the memory whose checksum is watched. A change of the positions updates their checksum.
-/// A change of the settings updates theirs only after the old content was checked.
+/// Selects the memory whose checksum is watched. A change of the positions updates the checksum of
+/// the positions. A change of the settings updates the checksum of the settings only after the old
+/// content was checked.
 void Machine::watch_memory() {
   memory_.watch_settings_in(set_up_);
   memory_.watch_settings_in(interpreter_.options());

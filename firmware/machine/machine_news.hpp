@@ -27,8 +27,8 @@ struct MachineNews {
   /// M2 or M30 was done. Its message is sent before the answer to its line.
   OnceFlag program_ended;
   OnceFlag line_failed;  ///< A line of a tool change was stopped, or its probe failed.
-  /// Fault of a compensated path that cannot be driven. The present line is refused, although the
-  /// fault may be in an earlier line.
+  /// Fault of a compensated path that cannot be driven. The protocol refuses the present line,
+  /// although the fault may be in an earlier line.
   std::optional<compensation::Fault> path_fault{};
 
   /// Returns the fault of the path, once.

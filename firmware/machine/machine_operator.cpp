@@ -46,7 +46,7 @@ void Machine::cancel_restart() {
   tool_.suspend(true);
 }
 
-/// Returns whether the tool is a spindle that is on, and so takes time to come up to speed.
+/// Returns whether the tool is a spindle that is on. Such a tool takes time to come up to speed.
 bool Machine::tool_turns() const {
   return tool_.mode() != gcode::SpindleMode::kOff && !tool_.is_laser();
 }

@@ -2,8 +2,8 @@
 
 namespace cnc {
 
-/// Notes the progress while the tool works on a numbered line. The motion after a door or a lost
-/// link has blocked the beam is no progress.
+/// Notes the progress while the tool works on a numbered line. Motion after the beam was blocked,
+/// because of a door or a lost link, does not count as progress.
 void Machine::note_progress() {
   if (!progress_.counts(tool_.suspended()) || !drive_.running()) return;
   if (state_.in(Mode::kJog) || state_.in(Mode::kJogEnding) || state_.in(Mode::kHome)) return;
@@ -11,7 +11,8 @@ void Machine::note_progress() {
   progress_.note(drive_.line(), motion_.tool_steps());
 }
 
-/// Progress that was restored after a restart also counts: the restart interrupted the program.
+/// Progress that was restored after a restart counts in every mode, because the restart has
+/// interrupted the program.
 bool Machine::interrupted() const {
   const bool stopped = state_.in(Mode::kHold) || state_.in(Mode::kDoor) ||
                        state_.in(Mode::kAlarm) || !progress_.place_is_kept();
@@ -24,8 +25,8 @@ void Machine::reenter() {
   progress_.reentry().begin(noted.line, motion_.place_of(noted.steps));
 }
 
-/// Switches the beam of an item off until the path passes the noted position. The distance of the
-/// path from this position may reach the sum of the corner tolerance, the weld tolerance, and
+/// Switches the beam of an item off until the path passes the noted position. The path may pass
+/// this position at a distance of at most the sum of the corner tolerance, the weld tolerance, and
 /// kMoreMm for the effect of shapers.
 void Machine::darken_until_place(path::PathItem& item) {
   constexpr float kMoreMm = 0.1F;
@@ -36,8 +37,8 @@ void Machine::darken_until_place(path::PathItem& item) {
   if (verdict == Reentry::Verdict::kLost) stop_for(Alarm::kPlaceNotMet);
 }
 
-/// Appends the rest of an element that was split by re-entry. No other motion may be appended
-/// before. Returns false if the planner has no free space.
+/// Appends the rest of an element that was split by re-entry. It must be appended before any other
+/// motion. Returns false if the planner has no free space.
 bool Machine::drive_rest() {
   if (!progress_.reentry().has_rest()) return true;
   if (!motion_.has_room()) return false;

@@ -13,7 +13,8 @@ void Machine::reset() {
     raise_alarm(Alarm::kAbortInMotion);
   }
   alarm_.set_needs_reset(inputs().emergency_stop);
-  if (slept) set_homed(0);  // The motors had no current in sleep, so they may have been turned.
+  // In sleep the motors had no current, so they may have been turned by hand.
+  if (slept) set_homed(0);
   set_overrides({});
   cut_off();
 }

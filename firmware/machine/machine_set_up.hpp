@@ -8,8 +8,8 @@
 
 namespace cnc {
 
-/// The settings, the table of the light power at each duty, and the motion limits that are computed
-/// from both. Other objects keep references to the settings and the limits.
+/// The settings, the power table of the beam, and the motion limits that are computed from both.
+/// Other objects keep references to the settings and the limits.
 class MachineSetUp {
  public:
   [[nodiscard]] const Settings& settings() const { return settings_; }

@@ -29,9 +29,9 @@ Result<float, SettingError> Machine::change_setting(std::uint16_t number, float 
   return stored;
 }
 
-/// Returns whether the tool's present position, which the stored resolutions give for its step
-/// counts, is within the range of each axis. All axes are checked, because the resolution of one
-/// linear axis limits the range of all linear axes.
+/// Computes the tool's present position from its step counts and the stored resolutions. Returns
+/// whether this position is within the range of each axis. All axes are checked, because the
+/// resolution of one linear axis limits the range of all linear axes.
 bool Machine::place_fits() const {
   const Position reach = gcode_options_from(settings()).reach;
   for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
@@ -49,9 +49,9 @@ void Machine::set_power_table(const motion::PowerTable& table) {
   apply_settings();
 }
 
-/// Recomputes all values that follow from the settings. The new checksum of the memory would
-/// include a bit that flipped in a setting before. So the settings are checked by their own
-/// checksum (Settings::sound()).
+/// Recomputes all values that follow from the settings. If a bit of a setting has flipped before,
+/// the new checksum of the memory includes the flipped bit and cannot show it. So the settings are
+/// also checked by their own checksum (Settings::sound()).
 void Machine::apply_settings() {
   set_up_.apply();
   travel_.configure(settings());

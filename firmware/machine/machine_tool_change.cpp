@@ -21,8 +21,8 @@ bool Machine::acknowledge_tool() {
   return true;
 }
 
-/// Restores the waiting line and the modes of the program. Keeps the offsets that the tool change
-/// has set.
+/// Restores the rest of the line of M6 and the modes of the program. Keeps the offsets that the
+/// tool change has set.
 void Machine::close_tool_change() {
   memory_.check_settings();
   ToolChange::Job& job = tool_change_.job();

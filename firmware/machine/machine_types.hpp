@@ -13,11 +13,11 @@ enum class MachineState : std::uint8_t {
   kRun,
   kHold,  ///< Feed hold, or a pause of the program (M0): waits for resume().
   kJog,
-  kAlarm,  ///< Position or process in doubt: refuses G-code until unlock().
+  kAlarm,  ///< The position or the work may be wrong: refuses G-code until unlock().
   kDoor,
   kCheck,  ///< Lines are read and checked; nothing moves.
   kHome,
-  kSleep,  ///< Everything is off; only a reset ends it.
+  kSleep,  ///< Everything is off; only a reset ends this state.
   kTool,   ///< A tool is to be changed (M6): waits for resume().
 };
 
@@ -30,27 +30,28 @@ struct MachineStatus {
   constexpr bool operator==(const MachineStatus&) const = default;
 };
 
-/// Numbers of the alarms. 1 to 10 are those of Grbl 1.1, and 11 is that of grblHAL. Numbers from 23
-/// on are our own, above those of grblHAL. In grblHAL, 10 is an emergency stop; in Grbl, and here,
-/// it is a squaring fault.
+/// Numbers of the alarms. 1 to 10 are the numbers of Grbl 1.1, and 11 is a number of grblHAL.
+/// Numbers from 23 on are Kerfline's own, above the numbers of grblHAL. In grblHAL, 10 is an
+/// emergency stop; in Grbl, and here, it is a squaring fault.
 enum class Alarm : std::uint8_t {
   kNone = 0,
   kHardLimit = 1,
-  kSoftLimit = 2,  ///< A line would leave the travel. It moved nothing; position known.
+  kSoftLimit = 2,  ///< A line would leave the travel and was not driven; position known.
   kAbortInMotion = 3,
-  kProbeAtTarget = 4,  ///< The probe input already had its final state at the start.
+  kProbeAtTarget = 4,  ///< The probe input had its final level already at the start.
   kProbeMissed = 5,
   kHomingReset = 6,
   kHomingDoor = 7,
-  kHomingPullOff = 8,        ///< A switch was still closed after the pull-off.
-  kHomingNoSwitch = 9,       ///< No switch within the search distance.
-  kHomingSecondSwitch = 10,  ///< The two motors of an axis are too far apart.
+  kHomingPullOff = 8,   ///< A switch was still closed after the pull-off.
+  kHomingNoSwitch = 9,  ///< No switch was found within the search distance.
+  /// The switches of the two motors of an axis are too far apart, or one was not found.
+  kHomingSecondSwitch = 10,
   kHomingRequired = 11,
   kStarved = 23,  ///< Motion was cut off because the planner was too late.
   kEmergencyStop = 24,
   kLinkSilent = 25,    ///< The sender was silent while the beam was on; position known.
   kCompensation = 26,  ///< The compensated path cannot be driven; position known.
-  kPlaceNotMet = 27,   ///< A re-entered program did not pass the noted position.
+  kPlaceNotMet = 27,   ///< A program that was re-entered did not pass the noted position.
   kStoreDamaged = 28,  ///< Stored settings or positions could not be read at start.
 };
 

@@ -7,8 +7,9 @@
 
 namespace cnc {
 
-/// Stores the checksums of the settings and of the stored positions, and whether a bit of either
-/// has flipped since the last call that trusted them. Main loop only.
+/// Finds flipped bits in the settings and the stored positions, by their checksums. Each change of
+/// them is followed by trust_settings() or trust_places(), which store the new checksum. Main loop
+/// only.
 class MemoryGuard {
  public:
   /// Adds a part of the settings, or of memory that is computed from them, to the watched memory.
@@ -34,14 +35,14 @@ class MemoryGuard {
   [[nodiscard]] std::uint32_t trusted_places() const { return places_revision_; }
 
   /// Checks all settings. To be called when motion begins, and before a change of the settings is
-  /// trusted. Otherwise, after a bit of an acceleration or jerk has flipped, the beam might stay on
-  /// at one point until check() finds the bit.
+  /// trusted. Without this check, a flipped bit of an acceleration or jerk might make the beam stay
+  /// on at one point until check() finds the bit.
   void check_settings();
-  /// Checks at most `bytes` further bytes of settings, and of positions. Returns false once any
-  /// check has found a flipped bit.
+  /// Checks at most `bytes` further bytes of the settings, and as many of the positions. Returns
+  /// false once any check has found a flipped bit.
   [[nodiscard]] bool check(std::size_t bytes);
-  /// Checks all positions; to be called before they are stored. Returns false once any check has
-  /// found a flipped bit.
+  /// Checks all positions; to be called before the positions are stored. Returns false once any
+  /// check has found a flipped bit.
   [[nodiscard]] bool check_places();
 
  private:

@@ -10,8 +10,8 @@
 namespace cnc {
 
 /// Finds flipped bits in memory that no code changes between two calls of accept(). It reads the
-/// memory piece by piece in repeated passes, and compares its checksum with the checksum of the
-/// correct content. Main loop only.
+/// memory piece by piece in repeated passes. After each pass it compares the checksum of the bytes
+/// read with the checksum of the correct content. Main loop only.
 class MemoryWatch {
  public:
   static constexpr std::size_t kMaxParts = 8;
@@ -35,8 +35,9 @@ class MemoryWatch {
 
   /// Returns whether all parts still have the correct content. Reads all of them.
   [[nodiscard]] bool sound() const { return checksum() == expected_; }
-  /// Reads at most `bytes` further bytes. Returns false if this completes a pass whose checksum
-  /// differs. A bit that flips behind the reading position is found in the next pass.
+  /// Reads at most `bytes` further bytes. Returns false if the read completes a pass and the
+  /// checksum of the pass differs. If a bit flips after its byte was read, it is found in the next
+  /// pass.
   [[nodiscard]] bool check(std::size_t bytes);
 
  private:
@@ -45,7 +46,7 @@ class MemoryWatch {
 
   std::array<Part, kMaxParts> parts_{};
   std::size_t count_ = 0;
-  std::uint32_t expected_ = 0;  ///< Initially the CRC-32 of no parts.
+  std::uint32_t expected_ = 0;  ///< CRC-32 of the correct content; initially of no bytes.
   // State of the present pass.
   Crc32 sum_{};
   std::size_t part_ = 0;

@@ -16,8 +16,8 @@ void MotionControl::feed_drive() {
   });
 }
 
-/// Stores the distance that the motion has travelled, together with its tick. The motor stage
-/// outputs a cell with a delay of ticks_ahead(), so the tick is that much later.
+/// Stores the distance that the motion has travelled, together with the tick at which it is output.
+/// The motor stage outputs a cell with a delay of ticks_ahead(), which is added to the tick.
 void MotionControl::note_place() {
   const std::uint32_t tick = drive_.ticks_handed_over();
   if (lit_) trail_.note_light(tick);
@@ -60,8 +60,8 @@ void MotionControl::set_tool_centre(const kinematics::ToolCentre& centre) {
 }
 
 /// Updates the position of the axes from the step counts of the motors. On an axis with backlash,
-/// this position may be wrong if the axis reversed between two calls. At rest it is corrected by
-/// the known offset of the motor.
+/// this position may be wrong if the axis reversed between two calls. At rest, the position is
+/// corrected by the known offset of the motor from the axis.
 void MotionControl::follow_tool() {
   axes_ = axis_steps();
   if (drive_.running() || !motors().at_rest() || !motors().settled()) return;

@@ -11,7 +11,7 @@ namespace cnc {
 /// position of the tool. Main loop only.
 class MotionControl : private Pipeline {
  public:
-  /// Parameters as in Pipeline.
+  /// The other parameters are those of Pipeline.
   /// @param drive must outlive this object
   MotionControl(StepDrive& drive, const motion::Limits& limits, motion::Pixels& pixels)
       : Pipeline{limits, pixels}, drive_{drive} {}
@@ -56,32 +56,34 @@ class MotionControl : private Pipeline {
 
   // The driven path, for LightGap.
 
-  /// Begins or ends storing the driven path, and the distance along it at each tick (PlaceTrail).
+  /// If `keeps`, begins to store the driven path, and the distance along it at recent ticks
+  /// (PlaceTrail); otherwise ends this.
   void keep_path(bool keeps) {
     Pipeline::keep_path(keeps);
     trail_.hold(keeps);
   }
-  /// Returns the distance driven since a tick of the drive's clock. The tick must be before
-  /// keep_path(true) or shortly after it.
+  /// Returns the distance driven since `tick`, a tick of the drive's clock. `tick` must be before
+  /// the call of keep_path(true) or shortly after it.
   [[nodiscard]] motion::PathUnits distance_since(std::uint32_t tick) const {
     return trail_.distance_since(tick, travelled());
   }
   [[nodiscard]] bool is_lit_after(std::uint32_t tick) const { return trail_.is_lit_after(tick); }
-  /// Takes the motion back by `distance` along the stored path. Returns the length along which this
-  /// is impossible. The motors must be moved to place() before the motion continues.
+  /// Sets the plan back by `distance` along the stored path. Returns the length of the part along
+  /// which this is impossible. The motors must be moved to place() before the motion continues.
   /// @pre drained() or halted()
   motion::PathUnits go_back(motion::PathUnits distance);
 
   /// Sets input shaping and backlash. Has no effect if they are unchanged.
   /// @pre nothing moves, or they are unchanged
   void configure(const motion::MotorStageSetting& setting);
-  /// Ends the correction for the kerf once nothing is planned and the motors rest on the path. To
-  /// be called while no compensation is active.
+  /// Ends the correction of the path for the kerf if nothing is planned and the motors rest on the
+  /// programmed path. To be called while no compensation is active.
   void stay_on_path() {
     if (follows_kerf() && on_path() && drained()) follow_kerf(nullptr);
   }
 
-  /// Makes the axes move, from now on, so that the tip follows the path while rotary axes turn.
+  /// Sets the tool centre by which the axes move from now on. If it is active, the tip follows the
+  /// path while rotary axes turn.
   /// @pre drained()
   void set_tool_centre(const kinematics::ToolCentre& centre);
 
@@ -120,7 +122,7 @@ class MotionControl : private Pipeline {
 
   StepDrive& drive_;
   PlaceTrail trail_{};
-  bool lit_ = false;  ///< Whether the last segment handed over has the beam on.
+  bool lit_ = false;  ///< Whether the beam is on in the last segment that was handed over.
   /// Position of the axes at the last follow_tool(), in steps without backlash.
   AxisArray<std::int32_t> axes_{};
 };

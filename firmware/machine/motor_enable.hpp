@@ -7,8 +7,9 @@
 
 namespace cnc {
 
-/// Switches the current of the motors. The current is on from before the first step until the time
-/// $1 after the last step. The motors of $37 always have current. Main loop context.
+/// Switches the current of the motors. The current goes on before the first step, and goes off when
+/// the time $1 has passed after the last step. The motors of $37 always have current. Main loop
+/// context.
 class MotorEnable {
  public:
   enum class Need : std::uint8_t {
@@ -34,9 +35,10 @@ class MotorEnable {
 
   hal::AuxiliaryOutputs& outputs_;
   const Settings& settings_;
-  std::int32_t idle_us_ = 0;  ///< Time since the last motion, until the current goes off.
-  std::int32_t wait_us_ = 0;  ///< Time until drivers that were switched on are ready.
-  bool active_ = false;       ///< Whether $1 has not passed since the last motion.
+  /// Time since the last motion, µs; counted until the current goes off.
+  std::int32_t idle_us_ = 0;
+  std::int32_t wait_us_ = 0;  ///< Time until the drivers that were switched on are ready, µs.
+  bool active_ = false;       ///< Whether the time $1 has not passed since the last motion.
   std::uint8_t enabled_ = 0;  ///< Axes whose motors have current.
 };
 

@@ -6,8 +6,9 @@
 
 namespace cnc {
 
-/// Switches that the operator toggles by realtime bytes and `$B`, and overrides. A switch keeps its
-/// state until it is toggled again. A reset or the end of the program resets the overrides.
+/// State that the operator changes: switches, which realtime bytes and `$B` toggle, and overrides.
+/// A switch keeps its state until it is toggled again. A reset or the end of the program resets the
+/// overrides.
 struct OperatorSwitches {
   bool optional_stop = false;        ///< Whether M1 pauses.
   bool single_block = false;         ///< Whether the machine pauses after each line.

@@ -12,7 +12,7 @@ void PlaceTrail::begin(std::uint32_t tick, std::uint64_t travelled) {
 
 void PlaceTrail::add(std::uint32_t tick, std::uint64_t travelled) {
   constexpr std::int32_t kLongAgo = std::int32_t{1} << 30;
-  // When the tick counter wraps, a tick of the distant past would count as a future tick.
+  // The tick counter wraps, so a tick of the distant past would otherwise count as a future tick.
   if (after(tick, lit_until_) > kLongAgo) lit_until_ = tick - kLongAgo;
   const bool close =
       count_ > 1 && after(sample(0).tick, sample(1).tick) < static_cast<std::int32_t>(kSpacing);

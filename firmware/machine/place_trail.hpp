@@ -9,15 +9,16 @@
 
 namespace cnc {
 
-/// Samples of the last 0.128 s of motion or more: the distance that the motion has travelled along
-/// its path, at ticks of the step clock. Also the tick until which the beam is on.
+/// Samples of the latest motion, over at least 0.128 s: the distance that the motion has travelled
+/// along its path, with its tick of the step clock. The trail also contains the tick until which
+/// the beam is on.
 ///
 /// hold(true) keeps the present samples. Then only kComing more samples are added, so that a tick
 /// shortly after hold() is in the trail, too.
 ///
-/// The distance of two samples is at least kSpacing ticks, and at most the ticks of one segment
-/// more. Between samples the distance is interpolated linearly. At an acceleration a the error is
-/// at most a · (3 ms)² / 8, which is 6 µm at 5,000 mm/s².
+/// The time between two samples is at least kSpacing ticks, and exceeds kSpacing by at most one
+/// segment. Between samples the distance is interpolated linearly. At an acceleration a the error
+/// is at most a · (3 ms)² / 8, which is 6 µm at 5,000 mm/s².
 class PlaceTrail {
  public:
   static constexpr std::size_t kSamples = 64;
@@ -30,7 +31,8 @@ class PlaceTrail {
   /// Adds a sample: at `tick` the motion has `travelled` so far.
   /// @param tick at or after the tick of the last sample
   void add(std::uint32_t tick, std::uint64_t travelled);
-  /// If `holds`, keeps the present samples from now on; otherwise ends this.
+  /// If `holds`, keeps the present samples from now on. Otherwise new samples replace the oldest
+  /// again.
   void hold(bool holds) { left_ = holds ? kComing : kAny; }
   /// Notes that the beam is on until `tick`, with or without interruptions.
   void note_light(std::uint32_t tick) { lit_until_ = tick; }
@@ -42,7 +44,7 @@ class PlaceTrail {
   [[nodiscard]] bool is_lit_after(std::uint32_t tick) const { return after(lit_until_, tick) > 0; }
 
  private:
-  /// Shift from PathUnits to the samples' unit of 2^-16 mm.
+  /// Number of bits by which PathUnits are shifted to the unit of the samples, 2^-16 mm.
   static constexpr unsigned kCoarser = 20;
   /// Samples that may still be added while the trail is held: 16 ms or more.
   static constexpr std::uint32_t kComing = 8;

@@ -17,7 +17,7 @@ class ProbeCycle {
 
   [[nodiscard]] Phase phase() const { return phase_; }
   void go_to(Phase phase) { phase_ = phase; }
-  /// Cancels a cycle. The result of the cycle before it stays.
+  /// Cancels a cycle. The result of the last completed cycle stays.
   void cancel() { phase_ = Phase::kNone; }
   /// Ends the cycle and stores its result.
   void end(const Probe& result) {
@@ -25,8 +25,8 @@ class ProbeCycle {
     last_ = result;
   }
 
-  /// Returns the result of the last completed cycle. Before the first, its position is 0 and it is
-  /// no success.
+  /// Returns the result of the last completed cycle. Before the first cycle, the result has the
+  /// position 0 and is no success.
   [[nodiscard]] const Probe& last() const { return last_; }
 
  private:

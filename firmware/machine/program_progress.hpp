@@ -30,8 +30,8 @@ class ProgramProgress {
   }
   /// Notes that the tool works at `steps` on a numbered line.
   void note(motion::SourceLine line, const AxisArray<std::int32_t>& steps);
-  /// Changes the noted position, at which the tool worked last. The noted line stays, so the
-  /// position may be on a later line.
+  /// Changes only the noted position, at which the tool worked last. The position may be on a later
+  /// line than the noted line.
   void note(const AxisArray<std::int32_t>& steps);
 
   /// Returns whether the step counts of the motors have stayed valid since the progress was noted.

@@ -9,9 +9,9 @@
 namespace cnc {
 
 /// Progress of an interrupted program: the position at which the tool worked last, in steps, and
-/// the line of this position or an earlier line.
+/// the number of the line of this position, or of an earlier line.
 struct Progress {
-  motion::SourceLine line{};  ///< Line; number 0 means that there is no program.
+  motion::SourceLine line{};  ///< Noted line; number 0 means that no program was interrupted.
   AxisArray<std::int32_t> steps{};
 
   [[nodiscard]] bool any() const { return line.number != 0; }

@@ -7,14 +7,14 @@ namespace cnc {
 
 namespace {
 
-/// Maximum distance of the point from an element's end, mm, at which the element counts as driven
-/// completely. It is one or two steps.
+/// Maximum distance of the point from the end of an element, mm, at which the element counts as
+/// driven completely before the interruption. It is one or two steps.
 constexpr float kAtEndMm = 0.02F;
 
 }  // namespace
 
-/// Returns whether `line` is the noted line from its noted part on, or a later line. Only its
-/// elements may contain the point.
+/// Returns whether elements of `line` may contain the point: `line` is the noted line, from the
+/// noted part on, or a later line.
 bool Reentry::may_hold(motion::SourceLine line) const {
   if (line.number != line_.number) return line.number > line_.number;
   return line.part >= line_.part;

@@ -7,12 +7,12 @@
 namespace cnc {
 
 /// Continues a program from the point at which it was interrupted. Up to this point the path is
-/// driven with the beam off, and from this point on with the beam on. So the beam goes on at full
-/// speed, and at most one or two steps are burnt twice.
+/// driven with the beam off, and from this point on with the beam on. So the beam goes on while the
+/// tool moves at full speed, and at most one or two steps of the path are burnt twice.
 class Reentry {
  public:
-  /// Maximum number of lines from the noted line to the line of the point. The lines differ because
-  /// lines are welded, or because shapers delay the motion.
+  /// Maximum number of lines from the noted line to the line of the point. They may be different
+  /// lines, because lines are welded and shapers delay the motion.
   static constexpr std::uint32_t kMaxLines = 4096;
 
   enum class Verdict : std::uint8_t {

@@ -10,11 +10,11 @@ namespace cnc {
 /// duty and its time; by default, no light is allowed.
 ///
 /// The allowed time is a total. It restarts only with a motion or a change of the spindle mode, so
-/// several dwells in a row burn no longer than one.
+/// that several dwells in a row together get no more light than one dwell.
 ///
-/// Main loop, except allowed(). This function is called by the watch, which stops the chip if the
-/// beam exceeds the duty or the time. The watch uses the allowance, whose memory is checked for
-/// flipped bits, and counts the time itself.
+/// Main loop, except allowed(). This function is called by the watch, an interrupt that ends the
+/// program if the beam exceeds the duty or the time. The watch uses the allowance, whose memory is
+/// checked for flipped bits, and counts the time independently of the main loop.
 class RestLight {
  public:
   /// Message to the sender when light was required but not allowed.
@@ -47,8 +47,8 @@ class RestLight {
   /// Restarts the allowed time and ends the light, because the machine moves or the spindle mode
   /// was set.
   void renew();
-  /// Forgets the refusals of a program, because it has ended. A refusal in the next program is
-  /// reported again.
+  /// Forgets that light was refused in a program, because the program has ended. A refusal in the
+  /// next program is reported again.
   void forget_program() { refusal_ = Refusal::kNone; }
   [[nodiscard]] Wish wish() const { return wish_; }
 
@@ -79,7 +79,7 @@ class RestLight {
 
   Allowance allowance_{};
   std::int32_t left_us_ = 0;
-  std::int32_t waiting_us_ = 0;  ///< Time since ask(), up to the delay.
+  std::int32_t waiting_us_ = 0;  ///< Time since ask(), µs; counted up to the delay of the dot.
   Wish wish_ = Wish::kNone;
   Refusal refusal_ = Refusal::kNone;
   bool lit_ = false;

@@ -6,15 +6,15 @@
 
 namespace cnc {
 
-/// Resumption of held motion. It waits until a spindle is up to speed again, or the coolant flows
-/// again.
+/// Resumption of held motion. The motion continues after a delay, in which a spindle comes up to
+/// speed or the coolant begins to flow.
 class Resumption {
  public:
   /// Notes that the operator has resumed. The motion must continue when over() is true.
   void begin() { is_pending_ = true; }
   /// Starts the delay for a spindle or the coolant.
   void wait(float seconds) { dwell_.start(seconds); }
-  /// Counts `elapsed_us`, the time since the last cycle began.
+  /// Subtracts `elapsed_us`, the time since the last cycle began, from the delay.
   void pass(std::int32_t elapsed_us) { dwell_.pass(elapsed_us); }
   /// Ends the resumption, because the motion continues.
   void end() { is_pending_ = false; }

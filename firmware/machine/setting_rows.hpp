@@ -7,8 +7,9 @@
 #include "planner/motion/motors/shaper_impulses.hpp"
 
 /// Rows of the table of settings. Axes whose settings differ only in the letter share a row. The
-/// row has the number and the group of its first axis. It applies to all axes before the first axis
-/// of the next row in the same ten numbers; if there is no such row, up to C.
+/// row has the number and the group of its first axis. The row applies to this axis and the
+/// following axes, up to the axis before the first axis of the next row in the same ten numbers. If
+/// there is no such next row, it applies up to axis C.
 namespace cnc::setting_rows {
 
 using Group = SettingGroup;

@@ -57,8 +57,9 @@ constexpr bool are_sorted() {
 }
 static_assert(are_sorted());
 
-/// Settings are read for every line, so a lookup takes two steps and no search: first the page of
-/// eight numbers, then the index within the page. All pages without settings are one shared page.
+/// Settings are read for every line, so a lookup takes two steps and no search. The first step
+/// finds the page, which has eight numbers; the second step finds the index within the page. All
+/// pages without settings are one shared page.
 constexpr std::size_t kPageBits = 3;
 constexpr std::size_t kPageSize = std::size_t{1} << kPageBits;
 constexpr std::size_t kPages = (number_of(kCount - 1) >> kPageBits) + 1U;

@@ -69,7 +69,7 @@ class SettingHelp {
 template <>
 class SettingHelp<false> {
  public:
-  // NOLINTNEXTLINE(google-explicit-constructor): as above.
+  // NOLINTNEXTLINE(google-explicit-constructor): rows of the table have plain strings.
   constexpr SettingHelp(const char* /*sentences*/) {}
 
   [[nodiscard]] static constexpr const char* text() {
@@ -77,7 +77,7 @@ class SettingHelp<false> {
   }
 };
 
-/// One user setting. `number` is what the user writes: `$110=12000`.
+/// One user setting. The user writes its `number` and value, such as `$110=12000`.
 struct SettingInfo {
   std::uint16_t number;
   SettingGroup group;
@@ -115,8 +115,8 @@ enum class SettingError : std::uint8_t {
 [[nodiscard]] std::string_view describe(SettingError error);
 
 /// All settings, in the order of their numbers. Names are those of the Grbl 1.1 and grblHAL
-/// documents; 810 and above are our own. Rows are made on access, because settings that exist for
-/// each axis share one row in flash.
+/// documents; numbers from 810 on are Kerfline's own. A SettingInfo is made on access, because
+/// settings that exist for each axis share one row in flash.
 class SettingTable {
  public:
   class Iterator {
@@ -172,10 +172,10 @@ class Settings {
   [[nodiscard]] float get(std::uint16_t first_number, std::size_t axis) const {
     return get(static_cast<std::uint16_t>(first_number + axis));
   }
-  /// Sets a value and returns the stored one. A refused value changes nothing.
+  /// Sets a value and returns the stored value. A refused value changes nothing.
   Result<float, SettingError> set(std::uint16_t number, float value);
-  /// Returns a number that changes with each change of the settings. Code that keeps derived values
-  /// compares it.
+  /// Returns a number that changes with each change of the settings. Code that keeps values derived
+  /// from settings compares it to find out whether they are out of date.
   [[nodiscard]] std::uint32_t revision() const { return revision_; }
   /// Returns whether the values are still those that were set. Returns false once a bit of a value
   /// has flipped in memory, also if other values were set since.

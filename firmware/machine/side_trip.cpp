@@ -18,8 +18,8 @@ void SideTrip::go(std::size_t axis,
   go(end, feed_mm_s, beam);
 }
 
-/// Moves all axes. The limits of the block are computed for the nearest steps of both ends. Then
-/// its end is set to the exact position.
+/// Moves all axes. The limits of the block are computed from whole steps, the nearest to its two
+/// end points. Then the end of the block is set to the exact position.
 void SideTrip::go(const AxisArray<StepPosition>& to,
                   float feed_mm_s,
                   const motion::BeamCommand& beam) {
@@ -37,7 +37,7 @@ void SideTrip::go(const AxisArray<StepPosition>& to,
 }
 
 void SideTrip::feed_drive() {
-  if (segmenter_.idle() && motors_.at_rest()) return;  // The usual case: there is no trip.
+  if (segmenter_.idle() && motors_.at_rest()) return;  // Usually there is no trip.
   feed_segments(drive_, [this](motion::Segment& segment) {
     return motion::next_segment(segmenter_, motors_, segment);
   });

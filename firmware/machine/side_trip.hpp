@@ -9,8 +9,9 @@ namespace cnc {
 /// Moves one axis away and back while the planned motion is held, or moves all axes to the point
 /// where that motion continues. The final position is exact, including the fraction of a step.
 ///
-/// It has its own queue and segmenter, because the queue and segmenter of the held motion contain
-/// the point where that motion stopped. It uses the motor stage of the held motion. Main loop only.
+/// A trip has a separate queue and segmenter, because the queue and segmenter of the held motion
+/// contain the point where that motion stopped. A trip uses the motor stage of the held motion.
+/// Main loop only.
 class SideTrip {
  public:
   /// @param held held motion, which later continues where it stopped
@@ -22,7 +23,8 @@ class SideTrip {
   void begin(const AxisArray<StepPosition>& place);
 
   /// Moves one axis to the position `to`. A motion without length, or out of range, is omitted.
-  /// @pre at_rest(); after halt(), begin() was called. The queue has capacity for one motion
+  /// @pre at_rest(), because the queue has capacity for one motion only; if halt() was called,
+  ///     begin() was called after it
   void go(std::size_t axis, StepPosition to, float feed_mm_s, const motion::BeamCommand& beam);
   /// Moves all axes along a straight line, like go() for one axis.
   void go(const AxisArray<StepPosition>& to, float feed_mm_s, const motion::BeamCommand& beam);

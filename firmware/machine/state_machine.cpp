@@ -22,7 +22,7 @@ struct Transition {
   Mode to;
 };
 
-/// Table of transitions. The first row with the mode and the event applies.
+/// Table of transitions. The first row that contains the mode and the event applies.
 constexpr std::array<Transition, 19> kTransitions{{
     {from({kFree}), Event::kHold, kHold},
     {from({kHold, kDoor, kTool}), Event::kResume, kFree},

@@ -9,7 +9,7 @@ namespace cnc {
 enum class Mode : std::uint8_t {
   kFree,
   kJog,
-  kJogEnding,  ///< Cancelled jog that is still slowing down.
+  kJogEnding,  ///< The machine is slowing down from a cancelled jog.
   kHome,
   kCheck,
   kHold,
@@ -38,7 +38,7 @@ enum class Event : std::uint8_t {
 };
 
 /// State machine of the modes, as drawn in ARCHITECTURE.md. A table contains the mode to which each
-/// event leads. An event without a row for the present mode has no effect.
+/// event leads. An event that has no row for the present mode has no effect.
 class StateMachine {
  public:
   [[nodiscard]] Mode mode() const { return mode_; }

@@ -11,7 +11,8 @@
 namespace cnc {
 
 /// State of a manual tool change (M6): the tool for which the program waits. If the sender takes
-/// part (0xA3), also the stored state of the program, and the stage of the tool change.
+/// part (0xA3), the state also contains the stored state of the program and the stage of the tool
+/// change.
 ///
 /// If the sender takes part, its lines and jogs move the machine and set offsets. At the end, the
 /// tool returns to the program's position: up first, then across, then down. The spindle starts
@@ -22,12 +23,12 @@ class ToolChange {
   enum class Stage : std::uint8_t {
     kClosed,
     kOpen,      ///< Lines and jogs are accepted.
-    kStopping,  ///< Motion is stopped and dropped; kOpen follows.
-    kEnding,    ///< The operator has resumed. Lines that were accepted before are done first.
+    kStopping,  ///< The motion is being stopped and is then dropped; kOpen follows.
+    kEnding,    ///< The operator has resumed. Lines that were accepted earlier are completed first.
     kReturning,
   };
 
-  /// State of the program while it waits.
+  /// State of the program while it waits for the tool.
   struct Job {
     /// Interpreter with which the program continues.
     std::optional<gcode::Interpreter> interpreter{};
@@ -45,13 +46,15 @@ class ToolChange {
 
   [[nodiscard]] Stage stage() const { return stage_; }
   void go_to(Stage stage) { stage_ = stage; }
-  /// Ends the tool change, because the operator has resumed. Has an effect only in the stage kOpen.
+  /// Begins to end the tool change, because the operator has resumed. Has an effect only in the
+  /// stage kOpen.
   void end() {
     if (stage_ == Stage::kOpen) stage_ = Stage::kEnding;
   }
   /// Returns whether the sender takes part in a tool change: from 0xA3 until the program continues.
   [[nodiscard]] bool open() const { return stage_ != Stage::kClosed; }
-  /// Returns whether no line is accepted although the tool change is open.
+  /// Returns whether no line is accepted although the tool change is open: it is stopping or
+  /// ending.
   [[nodiscard]] bool busy() const { return stage_ > Stage::kOpen; }
 
   [[nodiscard]] Job& job() { return job_; }

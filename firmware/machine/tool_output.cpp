@@ -42,8 +42,8 @@ void ToolOutput::set_override(float factor) {
   apply();
 }
 
-/// Returns the share of full output without the override, 0…1: S divided by $30. If S is below $31,
-/// $31 is used instead; 0 if the tool is off.
+/// Returns the share of full output without the override, 0…1: S divided by $30. If S is above 0
+/// but below $31, $31 is used instead of S. Returns 0 if the tool is off.
 float ToolOutput::duty() const {
   if (mode_ == gcode::SpindleMode::kOff || speed_ <= 0.0F) return 0.0F;
   return std::clamp(speed_, min_speed(), settings_.max_speed) / settings_.max_speed;

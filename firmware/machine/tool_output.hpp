@@ -12,7 +12,8 @@
 
 namespace cnc {
 
-/// Converts a share of full output to a duty; 65535 is full. A share outside 0…1 is clamped.
+/// Converts a share of full output to a duty; 65535 is full. A share outside 0…1 is clamped to this
+/// range.
 [[nodiscard]] std::uint16_t to_full_scale(float share);
 
 /// Settings of the tool ($30…$32).
@@ -41,7 +42,7 @@ class ToolOutput {
   void set_override(float factor);
   /// If `suspended`, switches the tool off without a change of its mode: for a door, a tool change,
   /// a lost link or a spindle stop. A beam goes off immediately, even if the machine still moves.
-  /// Otherwise restores the tool.
+  /// If not `suspended`, restores the tool.
   void suspend(bool suspended);
   [[nodiscard]] bool suspended() const { return suspended_; }
   void off() { set_mode(gcode::SpindleMode::kOff); }
@@ -54,8 +55,8 @@ class ToolOutput {
   /// tool is suspended.
   void light_at_rest(std::uint16_t duty);
 
-  /// Returns the powers for the values `speeds` of S in a row. They equal those of command_for()
-  /// while a beam is on.
+  /// Returns the powers for the values `speeds` of S in a row. While a beam is on, each equals the
+  /// power of command_for() for the same S.
   [[nodiscard]] path::RowPowers powers_of(std::span<const float> speeds) const {
     return {.values = speeds, .least = min_speed(), .full = settings_.max_speed};
   }

@@ -10,8 +10,8 @@
 namespace cnc {
 namespace {
 
-/// Distance, nm, by which a circle may exceed the end of the travel. A circle that touches the end
-/// may exceed it by rounding, because its radius is a float.
+/// Distance, nm, by which a circle may exceed the end of the travel. The radius is a float, so a
+/// circle that only touches the end may exceed it by rounding.
 constexpr Coordinate kSlack{1000};
 
 }  // namespace

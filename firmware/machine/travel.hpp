@@ -37,9 +37,9 @@ class Travel {
   /// arc or a spline, its exact extreme positions are checked.
   [[nodiscard]] bool left_by(gcode::Actions actions, const Position& from) const;
   /// Returns whether motions of the tip under G43.4 would move an axis out of the travel, or the
-  /// tilting axis out of its limits. These limits are also checked if the axis is not homed. An
-  /// axis may be reported outside although it is inside the travel by less than 0.2 mm, on arcs and
-  /// on lines of 100 mm.
+  /// tilting axis out of its limits. These limits are also checked if the axis is not homed. On
+  /// arcs and on lines of 100 mm, a motion that stays inside by less than 0.2 mm may be reported,
+  /// too.
   /// @param elements working storage in which the actions are divided; cleared at the end
   /// @pre centre.active(); the actions are lines and arcs; elements are not active
   [[nodiscard]] bool left_by(gcode::Actions actions,
@@ -58,7 +58,7 @@ class Travel {
   [[nodiscard]] bool contains_arc(const Position& start, const gcode::Action& arc) const;
 
   std::uint8_t homed_ = 0;
-  std::uint8_t judged_ = 0;  ///< Axes that are checked, bit i for axis i.
+  std::uint8_t judged_ = 0;  ///< Axes that are checked against their travel, bit i for axis i.
   Position min_{};
   Position max_{};
 };

@@ -6,7 +6,7 @@
 
 namespace cnc {
 
-/// A number that senders know, with its text.
+/// Number of an error or alarm, as senders know it from Grbl and grblHAL, with its text.
 struct CodeText {
   std::uint8_t number;
   /// Must not contain "ok" or "error", which only an acknowledgement may contain.
@@ -22,8 +22,8 @@ struct CodeText {
 /// Returns every number that can follow `ALARM:`, in rising order (`$EA`).
 [[nodiscard]] std::span<const CodeText> alarm_texts();
 
-/// Errors of the protocol itself; errors of G-code are in gcode::ErrorCode. Source: gnea/grbl,
-/// doc/csv/error_codes_en_US.csv; 79 is from grblHAL.
+/// Numbers of the errors of the protocol itself. The numbers for G-code are in gcode::ErrorCode.
+/// Source: gnea/grbl, doc/csv/error_codes_en_US.csv; 79 is from grblHAL.
 namespace error_number {
 inline constexpr std::uint8_t kWrongCheck = 1;
 inline constexpr std::uint8_t kBadNumber = 2;

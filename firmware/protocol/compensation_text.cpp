@@ -41,8 +41,8 @@ void put_compensation_fault(Reply& reply, const compensation::Fault& fault) {
   if (two) put_element(reply.letter(' '), fault.other, fault.other_line);
 }
 
-/// Refuses a line with the error "invalid target", because of a fault in this line or an earlier
-/// line.
+/// Refuses a line with the error "invalid target", because of `fault`, which is in this line or an
+/// earlier line.
 void LineProtocol::refuse(const compensation::Fault& fault) {
   Reply reason = begin_reason(0);
   put_compensation_fault(reason.text("since G41 or G42, "), fault);

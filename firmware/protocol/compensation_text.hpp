@@ -5,8 +5,8 @@
 
 namespace cnc {
 
-/// Writes the fault in words, with the numbers of elements and lines, such as "element 5 (N120)
-/// leads into element 2".
+/// Writes a fault of the compensated path in words, with the numbers of elements and lines, such as
+/// "element 5 (N120) leads into element 2".
 void put_compensation_fault(Reply& reply, const compensation::Fault& fault);
 
 }  // namespace cnc

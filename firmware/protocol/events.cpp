@@ -31,7 +31,8 @@ bool LineProtocol::report() {
   return true;
 }
 
-/// Reports one event of the machine. Returns false if there is none.
+/// Writes the next line that no sender requested, such as an alarm or a message. Returns false if
+/// there is none.
 bool LineProtocol::tell_news() {
   if (greeting_due_) {
     greet();
@@ -75,8 +76,8 @@ bool LineProtocol::tell_news() {
   return attend_startup_trial();
 }
 
-/// Writes a message in machine coordinates, such as `[MSG:17.204 mm are uncut from
-/// 12.000,3.500,0.000 on; ~ goes on without them]`.
+/// Reports the part of the path that stays uncut, with its start in machine coordinates, such as
+/// `[MSG:17.204 mm are uncut from 12.000,3.500,0.000 on; ~ goes on without them]`.
 void LineProtocol::tell_uncut(const Uncut& uncut) {
   Reply reply = begin_answer();
   reply.text("[MSG:")
@@ -87,8 +88,8 @@ void LineProtocol::tell_uncut(const Uncut& uncut) {
   answer(reply.text(held ? " on; ~ goes on without them]" : " on]").end());
 }
 
-/// Reports results that senders expect before the acknowledgement of the line that caused them.
-/// Returns whether a line was written.
+/// Reports the result of a line, such as a probe, if senders expect this report before the
+/// acknowledgement of the line. Returns whether a line was written.
 bool LineProtocol::tell_result() {
   if (machine_.news().probe_ended.take()) {
     Reply reply = begin_answer();
@@ -132,9 +133,9 @@ void LineProtocol::tell_trouble() {
   answer(reply.letter(']').end());
 }
 
-/// Saves positions that G10, G28.1 and G30.1 have changed. Saves only while nothing moves and beam
-/// and spindle are off: writing flash stops the processor for longer than a fault may leave beam or
-/// spindle on.
+/// Saves positions that G10, G28.1 and G30.1 have changed. Writing flash stops the processor, so
+/// that no fault could switch beam or spindle off in time. So positions are saved only while
+/// nothing moves and beam and spindle are off.
 void LineProtocol::save_places() {
   const gcode::StoredPlaces& places = machine_.interpreter().places();
   if (!machine_.idle() || machine_.tool_runs() || saving_failed_ || stored_.has_saved(places))

@@ -11,7 +11,8 @@ inline constexpr std::string_view kVersion = "1.1h.20261121";
 /// Grbl's option letters, in this order: variable spindle, line numbers, mist coolant, parking,
 /// homing of single axes, safety door, axes with two motors.
 inline constexpr std::string_view kOptions = "VNMPH+2";
-/// grblHAL's options: `$ES` and related statements, realtime bytes also as 0x80…, homing.
+/// grblHAL's options: `$ES` and related statements (ENUMS), the forms of realtime bytes from 0x80
+/// on (RT+), and homing (HOME).
 inline constexpr std::string_view kNewOptions = "ENUMS,RT+,HOME";
 inline constexpr std::string_view kFirmware = "Kerfline";
 

@@ -107,8 +107,8 @@ void LineProtocol::ask_kerf(const Statement& statement) {
   acknowledge();
 }
 
-/// Gives the machine the current content of the table; no content if the table is damaged or
-/// erased.
+/// Passes the present content of the table with the index `index` to the machine; an empty table if
+/// it is damaged or erased.
 void LineProtocol::select_kerf(std::uint32_t index) {
   kerf::SelectedTable selected{.count = static_cast<std::uint32_t>(kerf_.count()), .index = index};
   if (index < selected.count) {

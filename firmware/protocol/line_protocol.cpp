@@ -43,7 +43,9 @@ LineProtocol::LineProtocol(hal::ByteStream& link,
       kerf_{store},
       listing_{machine, stored_, kerf_, board} {
   const Progress kept = machine_.progress().noted();
-  load_settings();  // If the steps per millimetre differ, the machine drops its progress.
+  // If stored steps per mm differ from the default, this call drops the progress that `kept`
+  // contains.
+  load_settings();
   machine_.set_power_table(stored_.load_power_table());
   machine_.set_places(stored_.load_places());
   machine_.progress().set(kept.any() ? kept : stored_.load_progress());
@@ -85,8 +87,8 @@ void LineProtocol::poll(hal::TickCount now) {
       }
       std::string_view line = assembler_.line();
       if (passes_check(line)) handle(line);
-      // Most lines can be answered immediately, because no other line must be written before their
-      // answer.
+      // An answer can be written immediately if no other line must be written before it. For most
+      // lines this is so.
       const bool silent = outbox_.empty() && !listing_.active() && !tell_news();
       // A sender that waits for each answer gets the answer now, so its next line can be read in
       // this cycle.
@@ -196,7 +198,8 @@ void LineProtocol::lose_sender() {
   if (!machine_.idle() || machine_.tool_runs()) machine_.safety_door();
 }
 
-/// Finishes the last line, if the machine has executed it. Returns whether a line was written.
+/// Answers the last line if an answer is still owed. Called after the machine has executed the
+/// line. Returns whether an answer was owed.
 bool LineProtocol::finish_line() {
   if (owed_ == Owed::kNothing) return false;
   if (tell_result()) return true;
@@ -265,8 +268,8 @@ bool LineProtocol::passes_check(std::string_view& line) {
   return false;
 }
 
-/// Requests a line. With the sum, an acknowledgement follows the request, because senders expect it
-/// as from Marlin.
+/// Requests the wanted line, or reports that the last line was dropped while a request is open.
+/// With the sum, an acknowledgement follows, because Marlin sends one, too, and senders expect it.
 void LineProtocol::ask_again(LineCheck::Verdict verdict) {
   Reply reply = begin_answer();
   reply.text(verdict == LineCheck::Verdict::kDrop ? "Dropped: " : "Resend: ");
@@ -316,7 +319,8 @@ void LineProtocol::take_gcode(std::string_view line) {
 void LineProtocol::refuse(const gcode::Fault& fault,
                           std::uint32_t first_column,
                           std::uint8_t number) {
-  // If the text of comments was dropped, columns differ from the columns of the sent line.
+  // If the text of comments was dropped from the line, the columns differ from those of the line
+  // that was sent.
   const bool known = fault.column != 0 && assembler_.whole();
   Reply reason = begin_reason(known ? fault.column + first_column - 1 : 0);
   reason.wrote(gcode::describe(fault, reason.room()));

@@ -37,8 +37,8 @@ namespace cnc {
 /// If a sender checks its lines (LineCheck), missing lines are requested by `Resend: N`. With the
 /// CRC, each answer contains the number of its line and a CRC: `ok N12*8D1F03A2`.
 ///
-/// The protocol never waits for the link. It makes the next line only after the link has taken the
-/// previous one, and a status report before any other line. No line except an acknowledgement
+/// The protocol never waits for the link. It makes a line only after the link has taken the
+/// previous line. If a status report is due, it is the next line. No line except an acknowledgement
 /// contains "ok" or "error" in upper or lower case, because senders would count it as an
 /// acknowledgement.
 class LineProtocol {
@@ -52,7 +52,7 @@ class LineProtocol {
                hal::RecordStore& store,
                hal::ControlBoard* board);
 
-  /// Reads and answers as many lines as possible without waiting.
+  /// Reads and answers as many lines as are possible without waiting, up to a maximum number.
   /// @param now microseconds
   void poll(hal::TickCount now);
 
@@ -83,14 +83,14 @@ class LineProtocol {
   void lose_sender();
 
  private:
-  /// Value of `startup_line_` after the start-up lines. The index after the last line serves to
-  /// report the fault of the last line.
+  /// Value of `startup_line_` after all start-up lines are done. The value before it,
+  /// kStartupLines, is the step that reports a fault of the last start-up line.
   static constexpr std::size_t kStartupDone = StoredState::kStartupLines + 1;
-  /// Longest time between two polls, microseconds. Times since now_ and since the last bytes are
-  /// measured in ticks, which wrap only after a much longer time.
+  /// Longest time between two polls, microseconds. It is much shorter than the time in which ticks
+  /// wrap, because poll() measures times since the last poll and the last bytes in ticks.
   static constexpr std::int32_t kMaxQuietUs = 1'000'000;
 
-  /// Answer that is still owed for the last line.
+  /// Kind of the answer that is still owed for the last line.
   enum class Owed : std::uint8_t { kNothing, kAck, kHoming };
 
   /// A start-up line that was just stored and runs for the first time.
@@ -100,7 +100,7 @@ class LineProtocol {
     bool failed = false;  ///< The line was refused, raised an alarm or was interrupted by a reset.
   };
 
-  // Main sequence, in line_protocol.cpp.
+  // Functions of the main sequence, in line_protocol.cpp.
   void receive();
   void attend_realtime();
   void begin_anew();
@@ -146,7 +146,7 @@ class LineProtocol {
 
   // Statements (`$`), in statements.cpp.
   void take_statement(std::string_view line);
-  /// Not inlined, so that lines of G-code do not have its frame on the stack.
+  /// Not inlined, so that its frame is not on the stack while a line of G-code is executed.
   [[gnu::noinline]] void take_command(const Statement& statement);
   void change_setting(const Statement& statement);
   void tell_waiting_limits();
@@ -199,9 +199,9 @@ class LineProtocol {
   hal::ControlBoard* board_;
   StoredState stored_;
   KerfTables kerf_;
-  /// Revision of the tables when the machine was last given a table.
+  /// Revision of the kerf tables when a table was last passed to the machine.
   std::uint32_t kerf_seen_ = 0;
-  std::array<char, 64> incoming_{};  ///< Bytes of one read from the link.
+  std::array<char, 64> incoming_{};  ///< Bytes that one call has read from the link.
   Receiver receiver_{};
   LineAssembler<kLongestLine> assembler_{};
   LineCheck check_{};
@@ -220,9 +220,10 @@ class LineProtocol {
   bool auto_report_ = false;
   bool modes_wanted_ = false;  ///< The parser state (0x83) is to be sent between lines.
   bool beginning_ = true;      ///< The banner is due, after power-up or a reset.
-  /// The lines for a new sender are due; the protocol's state does not change.
+  /// The banner for a new sender is due, without the other effects of a reset.
   bool greeting_due_ = false;
-  bool unheard_ = false;  ///< The sender of the line in execution is gone.
+  /// The sender of the line in execution is gone, so the line gets no answer.
+  bool unheard_ = false;
   bool saving_failed_ = false;
   std::size_t startup_line_ = kStartupDone;  ///< Index of the next start-up line to run.
   bool starts_ = false;                      ///< The last executed line was a start-up line.

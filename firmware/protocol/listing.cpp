@@ -86,7 +86,8 @@ bool Listing::row(Reply& reply, const ReportForm& form) {
   return false;
 }
 
-/// Writes a row for each kerf table, then a row with the number of stored tables and the maximum.
+/// Writes the next row. There is a row for each kerf table, and then a row with the number of
+/// stored tables and its maximum.
 bool Listing::kerf_row(Reply& reply) {
   const std::size_t count = kerf_.count();
   if (row_ > count) return false;
@@ -105,7 +106,8 @@ bool Listing::kerf_row(Reply& reply) {
   return true;
 }
 
-/// Writes the image as statements that can be sent back to store the table.
+/// Writes the next row of a kerf table's image. The rows are statements; if they are sent to a
+/// controller, it stores the table.
 bool Listing::kerf_image_row(Reply& reply) {
   if (row_ > KerfTables::kMaxParts) return false;
   std::array<std::byte, KerfTables::kPartBytes> bytes{};

@@ -31,8 +31,8 @@ std::string_view describe(PowerTableError error) {
   return {};
 }
 
-/// Removes a number from the front of `text`. Returns it as a whole number of 1 / `parts`; nothing
-/// if there is no such number.
+/// Removes a number from the front of `text`. Returns the number as a multiple of 1 / `parts`;
+/// nothing if `text` does not begin with such a number.
 std::optional<std::uint32_t> take_number(std::string_view& text, std::uint32_t parts) {
   const auto reading = gcode::read_decimal(text);
   if (!reading.ok()) return std::nullopt;
@@ -77,7 +77,7 @@ Result<PowerTable, PowerTableRefusal> read_power_table(std::string_view text) {
     if (!point)
       return PowerTableRefusal{here(), "not a list of the form percent:watts,percent:watts"};
     points[count++] = *point;
-    // The check after each point lets the refusal name the first wrong point.
+    // The table is checked after each point, so that the refusal can name the first wrong point.
     const auto so_far = PowerTable::make(std::span{points}.first(count));
     const bool threshold = count == 1 && point->milliwatts == 0 && !rest.empty();
     if (!so_far.ok() && !threshold) return PowerTableRefusal{column, describe(so_far.error())};

@@ -21,7 +21,7 @@ void LineProtocol::tell_progress() {
 }
 
 /// Begins re-entry into the interrupted program. The sender must name the interrupted line, so that
-/// the operator does not continue a wrong program. 0 ends re-entry.
+/// the operator does not continue a wrong program. The number 0 ends re-entry.
 void LineProtocol::reenter(const Statement& statement) {
   const auto line = gcode::read_decimal(statement.text);
   const bool whole = line.ok() && line.value().length == statement.text.size() &&
@@ -47,9 +47,9 @@ void LineProtocol::reenter(const Statement& statement) {
 }
 
 /// Saves the progress while the machine is at rest. So the progress of a program in a hold or an
-/// alarm survives a loss of power. After the program has ended, the stored progress is erased. If
-/// the store is damaged, nothing is saved: a save would remove the sign of damage before the
-/// operator has acknowledged it.
+/// alarm survives a loss of power. Erases the stored progress after the program has ended. If the
+/// store is damaged, nothing is saved: a save would remove the sign of damage before the operator
+/// has acknowledged it.
 void LineProtocol::save_progress() {
   if (machine_.alarm() == Alarm::kStoreDamaged) return;
   const Progress& progress = machine_.progress().noted();

@@ -77,7 +77,8 @@ Reply& Reply::place(Coordinate place, bool inches) {
   const std::int64_t nanometres = place.nanometres();
   const auto magnitude = static_cast<std::uint64_t>(nanometres < 0 ? -nanometres : nanometres);
   const std::uint64_t step = inches ? kPerTenThousandth : kPerThousandth;
-  // A kilometre has 10^9 thousandths of a millimetre, so 32 bits suffice for the number of steps.
+  // No coordinate exceeds a kilometre, which is 10^9 thousandths of a millimetre. So `steps` fits
+  // into 32 bits.
   const auto steps = static_cast<std::uint32_t>((magnitude + step / 2) / step);
   const std::uint32_t decimals = inches ? 4 : 3;
   if (nanometres < 0 && steps != 0) letter('-');

@@ -34,8 +34,8 @@ class Reply {
   /// Appends the line end; must be the last call.
   Reply& end();
 
-  /// Returns the free space for a caller that writes directly. The caller then reports the number
-  /// of filled bytes with `wrote`.
+  /// Returns the free space, for a caller that writes into it directly. The caller must then pass
+  /// the number of written bytes to wrote().
   [[nodiscard]] std::span<char> room() {
     return bytes_.subspan(size_, kCapacity - kEnd.size() - size_);
   }

@@ -140,8 +140,8 @@ void put_places(Reply& reply, const Position& place, const ReportForm& form) {
   }
 }
 
-/// Writes the modes. F is in the units in use (G20 or G21), because a reader applies the same
-/// units.
+/// Writes the modes. F is in the unit of G20 or G21, whichever is active, because these words are
+/// part of the line and determine the unit for its reader.
 void put_parser_state(Reply& reply, const Machine& machine) {
   const gcode::ModalState& state = machine.interpreter().state();
   const bool inches = state.units == gcode::Units::kInches;

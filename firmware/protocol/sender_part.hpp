@@ -5,26 +5,26 @@
 
 namespace cnc {
 
-/// The part that the sender takes in a tool change by hand: whether it takes part (0xA3), and
-/// whether `~` has come, which ends the change.
+/// State of the sender's participation in a manual tool change: whether the sender takes part
+/// (0xA3), and whether it has sent `~`, which ends the change.
 class SenderPart {
  public:
-  /// Begins and ends the part: the lines that were kept back are done after it.
+  /// Begin and end the participation. The lines that were kept back are executed after its end.
   void begin() { is_taken_ = true; }
   void end() { is_taken_ = false; }
   [[nodiscard]] bool taken() const { return is_taken_; }
 
-  /// Notes that `~` was received. Lines that were received before it are done first.
+  /// Notes that `~` was received. Lines that were received before `~` are executed first.
   void note_resume() { resumes_ = true; }
   /// Ends the wait for the lines that were received before `~`.
   void end_resume() { resumes_ = false; }
   [[nodiscard]] bool resumes() const { return resumes_; }
 
-  /// Refuses the part.
-  /// @param reason must outlive its report
+  /// Refuses the participation.
+  /// @param reason text for the sender; must stay valid until it is reported
   void refuse(std::string_view reason) { refusal_ = reason; }
   [[nodiscard]] bool has_refusal() const { return !refusal_.empty(); }
-  /// Returns the reason, once.
+  /// Returns the reason of the refusal, and forgets it.
   [[nodiscard]] std::string_view take_refusal() { return std::exchange(refusal_, {}); }
 
  private:

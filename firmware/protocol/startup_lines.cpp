@@ -25,9 +25,9 @@ void LineProtocol::set_startup_line(const Statement& statement) {
   refuse(*refusal, statement.column);
 }
 
-/// Ends the trial of a stored line after the line has been executed. If the line failed, stores the
-/// previous line again, because a failing line would stop the machine at every start. Returns
-/// whether a line was written.
+/// Ends the trial of a stored start-up line after the line has been executed. If the line failed,
+/// stores the previous line again, because a failing line would stop the machine at every start.
+/// Returns whether a line was written.
 bool LineProtocol::attend_startup_trial() {
   if (!startup_trial_) return false;
   if (machine_.alarm() != Alarm::kNone) startup_trial_->failed = true;
@@ -46,7 +46,7 @@ bool LineProtocol::attend_startup_trial() {
   return true;
 }
 
-/// Reports a path of the last start-up line that the machine could not drive.
+/// Reports the fault of a compensated path that the last start-up line could not drive, if any.
 void LineProtocol::tell_startup_fault() {
   const auto fault = machine_.news().take_path_fault();
   if (!fault) return;

@@ -7,7 +7,7 @@
 namespace cnc {
 namespace {
 
-/// The name of a statement in the form for comparison: upper case, without blanks.
+/// The name of a statement in upper case and without blanks, for comparison with the known names.
 class Name {
  public:
   static constexpr std::size_t kLongest = 8;
@@ -142,7 +142,7 @@ std::optional<Statement> read_statement(std::string_view line) {
   while (begin < line.size() && gcode::is_blank(line[begin])) ++begin;
   statement->text = line;
   statement->text.remove_prefix(begin);
-  // The reader of the jog handles comments itself.
+  // The text of a jog keeps its comment, because the reader of the jog handles comments.
   if (statement->kind != StatementKind::kJog) statement->text = without_comment(statement->text);
   statement->column = static_cast<std::uint16_t>(begin + 1);
   return statement;

@@ -9,7 +9,7 @@
 namespace cnc {
 
 enum class StatementKind : std::uint8_t {
-  kListing,         ///< Kind in `listing`, argument in `number`.
+  kListing,         ///< Request for a listing: its kind is in `listing`, its argument in `number`.
   kChangeSetting,   ///< `$110=`
   kSetUserText,     ///< `$I=`
   kSetStartupLine,  ///< `$N0=`; `number` is 0 or 1.

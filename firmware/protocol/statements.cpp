@@ -28,8 +28,8 @@ bool LineProtocol::rests() const {
 void LineProtocol::load_settings() {
   for (const SettingInfo& info : setting_table()) {
     const auto value = stored_.load_setting(info);
-    // A value that is within its range but does not fit the other settings is ignored, and the
-    // default stays.
+    // If a stored value is within its range but does not fit the other settings, it is ignored and
+    // the default stays.
     if (value) static_cast<void>(machine_.change_setting(info.number, *value).ok());
   }
 }
@@ -55,7 +55,7 @@ void LineProtocol::take_statement(std::string_view line) {
     default:
       break;
   }
-  // The remaining statements store data, or need the machine for themselves.
+  // The remaining statements store data, or require that the machine does nothing else.
   if (!rests()) return refuse(error_number::kNotIdle);
   const bool stores =
       statement->kind != StatementKind::kHome && statement->kind != StatementKind::kSleep;
@@ -117,9 +117,9 @@ void LineProtocol::change_setting(const Statement& statement) {
   acknowledge();
 }
 
-/// Reports that soft limits do not act yet, because no axis is homed and homing is disabled. $20
-/// and $22 can be set independently, so that a backup may be restored in any order. Limits of homed
-/// axes act.
+/// Reports that soft limits do not act yet, because no axis is homed and homing is disabled. The
+/// soft limits of homed axes act. $20 does not require $22, so that the settings of a backup may be
+/// restored in any order.
 void LineProtocol::tell_waiting_limits() {
   const Settings& settings = machine_.settings();
   const bool waiting = settings.get(setting::kSoftLimits) != 0.0F && machine_.homed() == 0 &&

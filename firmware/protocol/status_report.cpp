@@ -18,8 +18,8 @@ constexpr std::uint32_t kWorkOffset = 32;
 constexpr std::uint32_t kOverrides = 64;
 constexpr std::uint32_t kGrblBits = kMachinePosition | kBuffers;
 /// Smallest value of $10 that is read as grblHAL's mask. Smaller values are read as Grbl's mask or
-/// its older masks. For them all other fields are shown, because a sender for Grbl needs WCO to
-/// compute the work position.
+/// its older masks. For smaller values all other fields are shown, because a sender for Grbl needs
+/// WCO to compute the work position.
 constexpr std::uint32_t kFirstOfGrblHal = kWorkOffset;
 
 // Number of reports between two reports with a slow field, as in Grbl.
@@ -156,7 +156,7 @@ bool StatusReport::offset_is_due(const Position& offset, bool moving) {
   if (offset == told_offset_ && --offset_wait_ >= 0) return false;
   told_offset_ = offset;
   offset_wait_ = moving ? kOffsetPauseMoving : kOffsetPauseAtRest;
-  // Avoids two slow fields in one report, unless both have changed.
+  // If Ov is due as well but has not changed, it follows in the next report.
   if (override_wait_ == 0) override_wait_ = 1;
   return true;
 }

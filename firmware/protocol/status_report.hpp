@@ -18,7 +18,7 @@ class StatusReport {
  public:
   /// Writes a report.
   /// @param receive_room free space for received bytes, shown in Bf
-  /// @param full whether to show all fields, for any value of `$10` (0x87)
+  /// @param full whether to show all fields regardless of `$10`, as 0x87 requests
   void write(Reply& reply,
              const Machine& machine,
              std::uint32_t receive_room,
@@ -46,7 +46,8 @@ class StatusReport {
 
   Position told_offset_{};
   Accessories told_{};
-  int offset_wait_ = 0;  ///< Number of reports until the field is shown again.
+  /// Number of reports until WCO is shown again; override_wait_ is the same for Ov.
+  int offset_wait_ = 0;
   int override_wait_ = 0;
 };
 

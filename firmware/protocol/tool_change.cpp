@@ -5,9 +5,9 @@
 /// earlier.
 namespace cnc {
 
-/// Lets the sender take part if the lines that arrived before 0xA3 are known with certainty. All
-/// these lines must still wait in the receiver and leave free space for a line. Numbered lines can
-/// be checked only in their order, so no numbered line may wait.
+/// Lets the sender take part if it is certain which lines arrived before 0xA3. All of these lines
+/// must still wait in the receiver and leave free space for another line. If lines are checked,
+/// none may wait, because later lines cannot be checked before them.
 void LineProtocol::acknowledge_tool() {
   if (machine_.state() != MachineState::kTool || sender_part_.taken()) return;
   take_line_feed();
@@ -26,7 +26,8 @@ void LineProtocol::refuse_tool() {
   sender_part_.refuse("Tool change: too many lines came before 0xA3, ~ goes on");
 }
 
-/// Takes the LF after a CR that ended a line, because a separate LF would end another line.
+/// Takes the LF after a CR that ended a line, because the LF alone would count as the end of
+/// another line.
 void LineProtocol::take_line_feed() {
   if (assembler_.ends_with_return() && receiver_.take_line_feed()) {
     static_cast<void>(assembler_.add('\n'));
@@ -62,7 +63,7 @@ void LineProtocol::attend_tool_change() {
     return machine_.resume();
   }
   if (!sender_part_.taken()) return;
-  // The lines that were kept back may continue only after the end of this line.
+  // The lines that were kept back are read only after the line that has begun is complete.
   if (assembler_.has_begun()) return;
   take_line_feed();
   receiver_.release();

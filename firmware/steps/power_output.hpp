@@ -12,7 +12,7 @@
 namespace cnc {
 
 /// The output of the beam or spindle. It follows the profile of the motion, has a separate duty at
-/// rest, and goes off at once when it is blocked.
+/// rest, and goes off immediately when it is blocked.
 template <hal::StepPort Port, std::uint32_t Capacity>
 class PowerOutput {
  public:
@@ -20,15 +20,15 @@ class PowerOutput {
 
   // Functions for the main loop.
 
-  /// Returns whether there may be no free space for the pieces of a segment after the interrupt has
-  /// taken `taken` pieces.
+  /// Returns whether the pieces of another segment may not fit into the stream, from which the
+  /// interrupt has taken `taken` pieces.
   [[nodiscard]] bool full(std::uint32_t taken) const {
     return stream_.room(taken) < shift_.room_needed();
   }
   [[nodiscard]] std::uint32_t pushed() const { return stream_.pushed(); }
   [[nodiscard]] PowerShift& shift() { return shift_; }
   [[nodiscard]] const PowerShift& shift() const { return shift_; }
-  /// Adds the output of a segment.
+  /// Appends the output of a segment to the stream.
   /// @pre !full()
   void add(const motion::Segment& segment) {
     PowerPiece piece{.course = segment.power};
@@ -57,18 +57,20 @@ class PowerOutput {
   void set_rest(std::uint16_t duty) noexcept { rest_.store(duty, std::memory_order_relaxed); }
   void pass(std::uint32_t ticks) noexcept { stream_.pass(ticks); }
   [[nodiscard]] bool due() const noexcept { return stream_.due(); }
-  /// Returns whether a change is due and there is a piece to follow.
+  /// Returns whether a change of the output is due and the stream has a piece for it.
   [[nodiscard]] bool waits() const noexcept { return stream_.due() && !stream_.empty(); }
-  /// Makes the due change. Not inlined, because the caller has few free registers.
+  /// Changes the output to the duty that is due. Not inlined, because the caller has few free
+  /// registers.
   /// @pre due()
   [[gnu::noinline]] void follow() noexcept {
     drive(stream_.follow(rest_.load(std::memory_order_relaxed)));
   }
-  /// Returns whether a change is due now or within fewer than `ticks` ticks.
+  /// Returns whether a change of the output is due now or within fewer than `ticks` ticks.
   [[nodiscard]] bool comes_within(std::uint32_t ticks) const noexcept {
     return stream_.ticks_left() < static_cast<std::int32_t>(ticks);
   }
-  /// Returns `ticks`, or the ticks until the next change if they are fewer.
+  /// Returns the smaller of `ticks` and the number of ticks until the next change of the output;
+  /// `ticks` if a change is due already.
   [[nodiscard]] std::int32_t sooner(std::int32_t ticks) const noexcept {
     return stream_.due() ? ticks : std::min(ticks, stream_.ticks_left());
   }
@@ -76,8 +78,8 @@ class PowerOutput {
     if (blocked_.load(std::memory_order_relaxed)) drive(0);
   }
   void drop() noexcept { stream_.drop(); }
-  /// Sets the output's duty at rest, because the steps are at rest. The next pieces begin with the
-  /// next steps.
+  /// Changes the output to its duty at rest, because the motors have come to rest. The next pieces
+  /// begin with the next steps.
   void rest() noexcept {
     stream_.rest();
     drive(rest_.load(std::memory_order_relaxed));

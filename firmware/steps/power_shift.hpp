@@ -11,12 +11,12 @@ namespace cnc {
 
 /// Delays between the output and the light, in ticks of the step clock.
 struct BeamTiming {
-  /// 5 ms, for each delay.
+  /// Upper bound of each delay, ticks: 5 ms.
   static constexpr std::int32_t kLongest = motion::kTicksPerSecond / 200;
 
-  std::int32_t lag = 0;         ///< Light after the motors; negative: motors after the light.
-  std::uint32_t on_delay = 0;   ///< Further delay when the beam goes on.
-  std::uint32_t off_delay = 0;  ///< Further delay when the beam goes off.
+  std::int32_t lag = 0;  ///< Delay of the light after the motors; negative if the light is earlier.
+  std::uint32_t on_delay = 0;   ///< Additional delay of the light when the beam is switched on.
+  std::uint32_t off_delay = 0;  ///< Additional delay of the light when the beam is switched off.
   constexpr bool operator==(const BeamTiming&) const = default;
 };
 
@@ -31,48 +31,51 @@ inline void delay(motion::Segment& segment, std::uint32_t ticks) {
 /// Shifts the output in time against the motion, so that the light falls on the correct part of the
 /// path. It runs in the main loop and writes to a PowerStream.
 ///
-/// From one planned standstill to the next both streams have the same length. With a positive lag
-/// the output begins with the motion's first piece, the steps wait, and the output ends before
-/// them. With a negative lag the output begins with the beam off, and its part after the end of the
-/// motion is cut off. An edge of the beam, on or off, is moved forward by its delay, which shortens
-/// the piece before it. So a gap or a flash that is shorter than the delays allow vanishes. A delay
-/// never switches the beam on before its motion, nor after it.
+/// From one planned standstill to the next, the stream of the output and the stream of the steps
+/// have the same length. With a positive lag the output begins with the motion's first piece, the
+/// steps wait for the time of the lag, and the output ends before the steps. With a negative lag
+/// the output begins with the beam off, and its part after the end of the motion is cut off. Each
+/// edge of the beam, at which the beam goes on or off, is moved to an earlier time by its delay.
+/// This shortens the piece before the edge. So a gap or a flash that is shorter than the delay of
+/// its end vanishes. A delay never switches the beam on before the motion begins or after it ends.
 ///
-/// The last pieces are kept until no edge can move into them any more.
+/// The latest pieces are kept back until no later edge can move into them.
 class PowerShift {
  public:
-  /// Capacity for the pieces of 5 ms at 20,000 pixels per second, and of a segment.
+  /// Maximum number of kept pieces: the pieces of 5 ms at 20,000 pixels per second, and the pieces
+  /// of a segment.
   static constexpr std::size_t kMaxHeld = 128;
 
-  /// Places in the stream for a segment and for its end. Each level of the segment may move an
-  /// edge.
+  /// Maximum number of pieces that a segment and the end of its motion add to the stream. Each
+  /// level of the segment may move an edge, which adds a piece.
   static constexpr std::uint32_t kMaxAtOnce = 5 + 2 * motion::Segment::kMaxLevels;
 
   /// Sets the delays.
   /// @pre settled()
   void configure(const BeamTiming& timing) { timing_ = timing; }
 
-  /// Returns whether no piece is kept, so that the next piece begins a motion.
+  /// Returns whether the output has ended with a motion, so that the next piece begins a motion.
   [[nodiscard]] bool settled() const { return settled_; }
   /// Returns the delay of the steps at the beginning of a motion, in ticks.
   [[nodiscard]] std::uint32_t wait() const {
     return static_cast<std::uint32_t>(std::max<std::int32_t>(0, timing_.lag));
   }
-  /// Returns the number of ticks by which motion must be known further ahead than without the
+  /// Returns the additional length of motion, in ticks, that must be known ahead because of the
   /// shift.
   [[nodiscard]] std::uint32_t look_ahead() const { return wait() + held_ticks(); }
-  /// Returns the time from the command to the end of the light, relative to the motors, in ticks.
+  /// Returns the delay, in ticks, from the command that switches the output off to the end of the
+  /// light, counted in the time of the motors.
   [[nodiscard]] std::int32_t light_behind() const {
     return timing_.lag + static_cast<std::int32_t>(timing_.off_delay);
   }
-  /// Returns the number of places in the stream that add() of all pieces of a segment and settle()
-  /// may need together.
+  /// Returns the maximum number of pieces that add(), for all pieces of a segment, and settle()
+  /// together push to the stream.
   [[nodiscard]] std::uint32_t room_needed() const {
     return static_cast<std::uint32_t>(count_) + kMaxAtOnce;
   }
 
   /// Adds the next piece of the output.
-  /// @pre the stream has room_needed() places free
+  /// @pre the stream has free space for room_needed() pieces
   template <typename Stream>
   void add(const PowerPiece& piece, Stream& stream) {
     if (settled_ && timing_.lag < 0) append({.ticks = delay()});
@@ -133,9 +136,9 @@ class PowerShift {
     return ticks - left;
   }
 
-  /// Moves the edge of the beam between the kept pieces and the next piece: it becomes up to
-  /// `ticks` earlier. The last kept pieces are shortened, and a piece of the same length with
-  /// `level` is added. Not inlined, because it is long and only edges of the beam need it.
+  /// Makes the edge of the beam between the kept pieces and the next piece up to `ticks` earlier.
+  /// Removes this time from the last kept pieces, and appends a piece with `level` for it. Not
+  /// inlined, because it is long and only edges of the beam need it.
   /// @param level level of the output after the edge; 0 if the beam goes off
   [[gnu::noinline, gnu::cold]] void move_edge(std::uint32_t ticks, std::uint16_t level) {
     const bool dark = level != 0;
@@ -144,8 +147,8 @@ class PowerShift {
     if (moved > 0) append({.ticks = moved, .course = {.first = level}});
   }
 
-  /// Passes the oldest pieces to the stream, until the others last less than `keep` ticks and there
-  /// is free space for kMaxAppended more.
+  /// Passes the oldest pieces to the stream. Stops if the remaining pieces would last less than
+  /// `keep` ticks and there is free space for kMaxAppended more pieces.
   template <typename Stream>
   void release(std::uint32_t keep, Stream& stream) {
     constexpr std::size_t kMaxAppended = 3;

@@ -17,16 +17,16 @@ struct PowerPiece {
 /// The output over time, parallel to the steps and on the same clock. The main loop makes pieces,
 /// and the step interrupt plays them after they are published.
 ///
-/// Time passes whether there is a piece or not. A piece that comes late is played from the point
-/// that its time has reached, so the output never lags after the motion.
+/// The time of the stream also passes while there is no piece. If a piece arrives late, its late
+/// part is skipped, so that the output never lags behind the motion.
 template <std::uint32_t Capacity>
 class PowerStream {
  public:
   // Functions for the main loop.
 
-  /// Returns the number of pieces since the beginning (wraps).
+  /// Returns the number of pieces that were pushed since the start of the program (wraps).
   [[nodiscard]] std::uint32_t pushed() const { return pieces_.staged(); }
-  /// Returns the number of places that are free after `taken` pieces have been taken.
+  /// Returns the number of pieces that fit after the interrupt has taken `taken` pieces.
   [[nodiscard]] std::uint32_t room(std::uint32_t taken) const { return pieces_.room(taken); }
   /// Appends a piece.
   /// @pre there is free space, and piece.ticks > 0
@@ -42,7 +42,7 @@ class PowerStream {
   /// Returns the ticks until the output's next change; meaningless while due().
   [[nodiscard]] std::int32_t ticks_left() const noexcept { return left_; }
 
-  /// Returns the duty from now on; `otherwise` if there is no piece.
+  /// Advances to the present time. Returns the duty from now on; `otherwise` if there is no piece.
   /// @pre due()
   [[nodiscard]] std::uint16_t follow(std::uint16_t otherwise) noexcept {
     while (left_ <= 0) {
@@ -60,12 +60,12 @@ class PowerStream {
       piece_.ticks -= stair;
       left_ += static_cast<std::int32_t>(stair);
     }
-    // Rounding may end a slope to 0 slightly below 0.
+    // By rounding, a slope that ends at 0 may end slightly below 0.
     return static_cast<std::uint16_t>(std::max<std::int32_t>(0, level_q8_) >> 8);
   }
 
-  /// Ends the present piece, because steps and output have come to rest: the next piece begins with
-  /// the next steps.
+  /// Ends the present piece, because the motors have come to rest. The next piece begins with the
+  /// next motion.
   void rest() noexcept {
     piece_ = {};
     left_ = 0;

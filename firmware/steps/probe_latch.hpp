@@ -8,12 +8,12 @@
 namespace cnc {
 
 /// Latches the positions of the motors at the first step after which the probe input reads the
-/// level that is waited for.
+/// level that arm() has set.
 class ProbeLatch {
  public:
   // Functions for the main loop.
 
-  /// Waits for the probe input to read `contact`; forgets an earlier hit.
+  /// Begins to wait until the probe input reads `contact`. Forgets an earlier hit.
   /// @pre the step interrupt does not run
   void arm(bool contact) {
     contact_ = contact;

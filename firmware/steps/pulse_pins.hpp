@@ -4,8 +4,8 @@
 
 namespace cnc {
 
-/// State of the pulse pins. A pulse and the pause after it have equal lengths. If the output
-/// changes within either, this class also counts the remaining ticks.
+/// State of the pulse pins. A pulse and the pause after it have equal lengths. If the output of the
+/// beam changes within a pulse or pause, this class also counts the ticks to its end.
 class PulsePins {
  public:
   void set(bool is_high) noexcept { state_ = is_high ? State::kHigh : State::kLow; }
@@ -21,7 +21,7 @@ class PulsePins {
   /// Returns the ticks for which the pins must still be unchanged.
   /// @pre stay() was called
   [[nodiscard]] std::int32_t left() const noexcept { return left_; }
-  /// Subtracts `ticks`, which are waited for next, from left(), and returns them.
+  /// Subtracts `ticks`, the time to the next interrupt, from left(). Returns `ticks`.
   /// @pre ticks ≤ left()
   [[nodiscard]] std::uint32_t wait(std::int32_t ticks) noexcept {
     left_ -= ticks;

@@ -12,16 +12,18 @@ namespace cnc {
 
 /// Electrical timing of the motor drivers, in ticks of the step clock.
 struct StepTiming {
-  std::uint32_t pulse = 20;            ///< Length of the high level, and of the low one after it.
-  std::uint32_t direction_set_up = 8;  ///< Time from a direction change to the next leading edge.
+  /// Length of the high level of a step pulse, and of the low level after it.
+  std::uint32_t pulse = 20;
+  /// Time from a direction change to the leading edge of the next step pulse.
+  std::uint32_t direction_set_up = 8;
 };
 
 /// Length of the motion that is cut into segments ahead of the motors: long enough for delays of
 /// the main loop, short enough that a hold acts without noticeable delay.
 inline constexpr std::uint32_t kTicksAhead = motion::kTicksPerSecond / 50;
 
-/// The step generator's interface for the main loop, which pushes segments to it. Main loop
-/// context; no function blocks. Results are those at the beginning of the cycle.
+/// Interface of the step generator, to which the main loop pushes segments. Main loop context; no
+/// function blocks. Returned values are those at the beginning of the present cycle.
 class StepDrive {
  public:
   [[nodiscard]] virtual bool full() const = 0;
@@ -31,40 +33,41 @@ class StepDrive {
   /// Returns the length of the motion that was handed over and has not begun, in ticks of the step
   /// clock.
   [[nodiscard]] virtual std::uint32_t ticks_waiting() const = 0;
-  /// Returns the length of waiting motion that is wanted, in ticks: kTicksAhead, and the length
-  /// that the beam's delays need.
+  /// Returns the length of waiting motion that the main loop should maintain, in ticks:
+  /// kTicksAhead, plus the length that the delays of the beam require.
   [[nodiscard]] virtual std::uint32_t ticks_ahead() const = 0;
-  /// Returns whether a segment fits and less motion waits than ticks_ahead().
+  /// Returns whether another segment fits, and the waiting motion is shorter than ticks_ahead().
   [[nodiscard]] bool wants_more() const { return !full() && ticks_waiting() < ticks_ahead(); }
-  /// Ends the pushes of this cycle; to be called after the last.
+  /// Ends the pushes of this cycle; to be called after the last push().
   virtual void settle() = 0;
   /// Returns whether motion is in progress or waits.
   [[nodiscard]] virtual bool running() const = 0;
-  /// Ends all motion at once, without waiting for a boundary, and drops waiting motion. The motors
-  /// may lose steps if they were fast.
+  /// Ends all motion immediately, without waiting for a boundary, and drops waiting motion. If the
+  /// motors were fast, they may lose steps.
   virtual void abort() = 0;
   /// Returns true once after motion was cut off because no segment came in time. From then on
   /// nothing moves until abort() has dropped the waiting motion.
   [[nodiscard]] virtual bool take_starved() = 0;
 
-  /// Returns the number of cycles that took so long that motion may have begun too late.
+  /// Returns the number of boundaries at which a due cycle was not complete, so that motion may
+  /// have begun too late.
   [[nodiscard]] virtual std::uint32_t late_turns() const = 0;
-  /// Returns whether older cycles were due and not complete when this one began. This cycle then
-  /// does only the work that the present motion needs, so that the main loop is in time again
-  /// before motion is cut off.
+  /// Returns whether older cycles were due and not complete at the boundary of the present cycle.
+  /// The present cycle then does only the work that the motion in progress requires, so that the
+  /// main loop is in time again before motion is cut off.
   [[nodiscard]] virtual bool catches_up() const = 0;
 
   /// Returns the motor positions in steps.
   [[nodiscard]] virtual AxisArray<std::int32_t> position() const = 0;
-  /// Returns the program line of the motors' present motion, or of their last one.
+  /// Returns the program line of the motors' present motion; at rest, of their last motion.
   [[nodiscard]] virtual motion::SourceLine line() const = 0;
-  /// Sets the duty of the output at rest; 65535 is full. It is 0 for a beam. It takes effect at
-  /// once if the machine is at rest, or if it is 0.
+  /// Sets the duty of the output at rest; 65535 is full. For a beam it is 0, except while the beam
+  /// must be on at rest. It takes effect immediately if the machine is at rest or `power` is 0.
   virtual void set_rest_power(std::uint16_t power) = 0;
   /// Keeps the output at 0 from the next interrupt on, within a millisecond, regardless of segments
-  /// and the duty at rest. `false` ends that.
+  /// and the duty at rest. `blocked` = false ends this.
   virtual void block_power(bool blocked) = 0;
-  /// Returns the running count of ticks of motion that were handed over.
+  /// Returns the number of ticks of motion that were pushed so far (wraps).
   [[nodiscard]] virtual std::uint32_t ticks_handed_over() const = 0;
   /// Returns the tick of the motion, as ticks_handed_over() counts, at which the light ended when
   /// the output was blocked last.
@@ -79,11 +82,11 @@ class StepDrive {
   /// @pre !running()
   virtual void set_timing(const StepTiming& timing) = 0;
 
-  /// Sets the axes with a second motor that steps with the first.
+  /// Sets the axes, bit i for axis i, that have a second motor, which steps with the first.
   /// @pre !running()
   virtual void set_second_motors(std::uint8_t axes) = 0;
-  /// Returns the memory of timing and second motors, which only set_timing() and
-  /// set_second_motors() change.
+  /// Returns the memory of the timing and the second motors. Only set_timing() and
+  /// set_second_motors() change it, so that any other change is a fault.
   [[nodiscard]] virtual std::span<const std::byte> set_up_memory() const = 0;
   /// Sets the step count of a motor without moving it.
   /// @pre !running()
@@ -91,14 +94,14 @@ class StepDrive {
 
   /// Begins to watch limit switches: latches the position of each of these axes at the first step
   /// after which its limit switch reads closed. On axes in `squared` both motors must reach their
-  /// own switches: the first to reach its switch gets no more steps until the other has reached its
-  /// own. Axes watched before stay watched.
+  /// own switches: the first motor that reaches its switch gets no more steps until the other motor
+  /// has reached its own switch. Axes that were watched before stay watched.
   /// @pre !running()
   virtual void watch_switches(std::uint8_t axes, std::uint8_t squared) = 0;
   virtual void unwatch_switches() = 0;
   /// Returns the watched axes that have found their switch.
   [[nodiscard]] virtual std::uint8_t switches_found() const = 0;
-  /// Returns the watched axes of which one motor waits for the other.
+  /// Returns the watched axes on which one motor waits for the other motor.
   [[nodiscard]] virtual std::uint8_t switches_half_found() const = 0;
   /// Return the position at which the switch closed, and the number of steps for which one motor
   /// waited.

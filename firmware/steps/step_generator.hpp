@@ -14,12 +14,12 @@
 
 namespace cnc {
 
-/// The main loop's side of the step interrupt, whose body is StepPlayer.
+/// The StepDrive for the main loop. The step interrupt itself is StepPlayer.
 ///
-/// The main loop works in cycles. It sees the state of the interrupt at its cycle's boundary. Its
-/// handover becomes active at a boundary, too (TurnGate). Only functions that end motion or power
-/// act at once. Motion begins at a boundary, so the tick of every step follows from the content of
-/// those cycles.
+/// The main loop works in cycles. A cycle sees the state of the interrupt at the boundary of the
+/// cycle. The handover of a cycle becomes active at a later boundary (TurnGate). Only functions
+/// that end motion or power act immediately. Motion begins at a boundary, so the tick of every step
+/// follows from the handovers alone.
 template <hal::StepPort Port, std::uint32_t QueueCapacity>
 class StepGenerator final : public StepDrive {
  public:
@@ -30,14 +30,14 @@ class StepGenerator final : public StepDrive {
   [[gnu::cold]] explicit StepGenerator(Port& port) : port_{port}, player_{port} {}
 
   [[nodiscard]] bool full() const override {
-    // One place more holds the segment being played.
+    // The segment being played occupies one place, too.
     return player_.queue().room(view_.segments_taken) <= 1 ||
            player_.beam().full(view_.pieces_taken);
   }
 
   void push(const motion::Segment& segment) override {
     const std::uint32_t wait = player_.beam().shift().settled() ? player_.beam().shift().wait() : 0;
-    // The output comes first, so that a segment is never played without its beam.
+    // The output is pushed first, so that a segment is never played without its output.
     player_.beam().add(segment);
     ends_at_rest_ = segment.comes_to_rest;
     pushed_ticks_ += segment.ticks + wait;
@@ -61,7 +61,7 @@ class StepGenerator final : public StepDrive {
     if (ends_at_rest_ && wants_more() && !player_.beam().shift().settled()) player_.beam().settle();
   }
 
-  /// Returns whether motion is in progress; waiting segments count.
+  /// Returns whether motion is in progress or segments wait.
   [[nodiscard]] bool running() const override {
     return view_.running || player_.queue().staged() != view_.segments_taken || player_.aborts();
   }
@@ -151,7 +151,8 @@ class StepGenerator final : public StepDrive {
   [[nodiscard]] bool take_turn() {
     StepView next{};
     if (!player_.gate().take(next)) return false;
-    // A view from before the last change at rest is out of date; nothing else has changed.
+    // A view from before the last change at rest is out of date. It is ignored, because at rest
+    // nothing else has changed since.
     if (next.epoch == player_.epoch()) view_ = next;
     view_.turn = next.turn;
     view_.late = next.late;
@@ -167,14 +168,15 @@ class StepGenerator final : public StepDrive {
   }
   [[nodiscard]] std::uint32_t late_turns() const override { return player_.gate().late(); }
   [[nodiscard]] bool catches_up() const override { return view_.late; }
-  /// Returns the number of cycles that were due and not complete at the last boundary.
+  /// Returns the number of cycles that were due but not complete at the last boundary.
   [[nodiscard]] std::uint32_t turns_behind() const { return player_.gate().behind(); }
 
   /// Returns the body of the step interrupt.
   [[nodiscard]] Player& player() { return player_; }
 
  private:
-  /// Makes earlier views out of date. Not inlined: it is long and seldom called.
+  /// Makes earlier views out of date, because the main loop has changed the state at rest. Not
+  /// inlined, because it is long and seldom called.
   /// @pre !running()
   [[gnu::noinline, gnu::cold]] void change_at_rest() {
     const std::uint32_t turn = view_.turn;

@@ -22,10 +22,11 @@ namespace cnc {
 
 /// Plays queued segments as pin edges: the body of the step interrupt.
 ///
-/// Runs only when an edge or a change is due. Each motor follows its own step train. A step starts
-/// a slot of one pulse high and one pulse low, and steps of other motors that fall into the slot go
-/// out with it. So an edge is early by less than a slot, or late by at most one. This holds if
-/// segments last at least two slots and no motor has more than one step per slot.
+/// Runs only when an edge of a pin or a change of the output is due. Each motor follows its own
+/// step train. A step starts a slot of one pulse high and one pulse low, and steps of other motors
+/// that fall into the slot go out with it. So an edge is early by less than a slot, or late by at
+/// most one slot. This holds if segments last at least two slots and no motor has more than one
+/// step per slot.
 ///
 /// A segment ends when its time is over and its last step is out: no step is ever lost. The beam
 /// has a separate stream on the same clock and changes at its own times, also within a slot.
@@ -47,7 +48,7 @@ class StepPlayer {
 
   [[gnu::cold]] explicit StepPlayer(Port& port) : port_{port}, beam_{port} {}
 
-  // Functions for the main loop. What a part does in the interrupt, its own class says.
+  // Functions for the main loop. The class of each part describes its work in the interrupt.
 
   [[nodiscard]] PowerOutput<Port, kPieces>& beam() { return beam_; }
   [[nodiscard]] const PowerOutput<Port, kPieces>& beam() const { return beam_; }
@@ -63,20 +64,20 @@ class StepPlayer {
   [[nodiscard]] SetUp& set_up() { return set_up_; }
   [[nodiscard]] const SetUp& set_up() const { return set_up_; }
 
-  /// Ends all motion at the next interrupt, if there is any.
+  /// Ends all motion at the next interrupt. Has no effect if `is_running` is false.
   [[gnu::cold]] void abort(bool is_running) {
     abort_.store(is_running, std::memory_order_relaxed);
     note_urgency();
   }
   [[nodiscard]] bool aborts() const { return abort_.load(std::memory_order_acquire); }
-  /// Keeps the output at 0, or ends that.
+  /// Keeps the output at 0 if `blocked`; otherwise ends this.
   [[gnu::cold]] void block_power(bool blocked) {
     if (blocked && !beam_.blocked()) dark_noted_.store(false, std::memory_order_relaxed);
     beam_.block(blocked);
     note_urgency();
   }
-  /// Returns the tick of the motion at which the output was blocked last; `otherwise` if no motion
-  /// has passed since.
+  /// Returns the tick of the motion at which the output was blocked last; `otherwise` if the
+  /// interrupt has not run since then.
   [[nodiscard]] std::uint32_t dark_tick(std::uint32_t otherwise) const {
     return dark_noted_.load(std::memory_order_acquire) ? dark_tick_ : otherwise;
   }
@@ -97,11 +98,12 @@ class StepPlayer {
     probe_.disarm();
     note_watching();
   }
-  /// Sets the time that the beam's delays add to the longest wait, ticks.
+  /// Adds `ticks`, by which the delays of the beam prolong a wait, to the longest wait.
   void set_delay(std::uint32_t ticks) {
     longest_wait_.store(kLongestWait + ticks, std::memory_order_relaxed);
   }
-  /// Returns the number of changes at rest, as views have it.
+  /// Returns the number of changes that the main loop has made at rest. A view contains this
+  /// number, too.
   [[nodiscard]] std::uint32_t epoch() const { return epoch_.load(std::memory_order_relaxed); }
   /// Counts a change at rest, which makes earlier views out of date.
   void count_change() { epoch_.store(epoch() + 1, std::memory_order_release); }
@@ -132,7 +134,7 @@ class StepPlayer {
 
   // Functions for the step interrupt.
 
-  /// Handles the boundary of a cycle, after all steps that are due before it. Admits the content
+  /// Handles the boundary of a cycle, after all steps that are due before it. Admits the handover
   /// that is due, starts the timer if there is motion to drive, and shows the main loop the present
   /// state. Returns the cycle's number.
   [[gnu::noinline]] std::uint32_t begin_turn() noexcept {
@@ -145,8 +147,8 @@ class StepPlayer {
     return gate_.show(look());
   }
 
-  /// Makes the due edges and changes. Returns the ticks until the next call; 0 stops the timer. Not
-  /// inlined, so that its instructions can be counted.
+  /// Makes the edges of the pins and the changes of the output that are due. Returns the ticks
+  /// until the next call; 0 stops the timer. Not inlined, so that its instructions can be counted.
   [[gnu::noinline]] std::uint32_t on_interrupt() noexcept {
     now_ += static_cast<std::int32_t>(waited_);
     beam_.pass(waited_);
@@ -160,10 +162,12 @@ class StepPlayer {
 
  private:
   static constexpr std::uint32_t kAtOnce = 1;
-  /// A slice of motion, with the pulse and the direction's set-up time that may be added.
+  /// Longest wait without delays of the beam, ticks: a millisecond for a slice of motion, and 100
+  /// ticks for the pulse and the direction's set-up time that may be added.
   static constexpr std::uint32_t kLongestWait = motion::kTicksPerSecond / 1000 + 100;
 
-  // For the main loop: each flag lets the interrupt skip two conditions by one check.
+  // Functions of the main loop that update two flags. Each flag combines two conditions, so that
+  // the interrupt usually checks the flag only.
   void note_urgency() {
     urgent_.store(abort_.load(std::memory_order_relaxed) || beam_.blocked(),
                   std::memory_order_release);
@@ -218,14 +222,15 @@ class StepPlayer {
     return ticks_until(due);
   }
 
-  /// Notes the present tick of the motion, at which the output was blocked.
+  /// Stores the present tick of the motion, because the output was blocked at this tick.
   [[gnu::noinline]] void note_dark() noexcept {
     dark_tick_ =
         begun_ticks_.load(std::memory_order_relaxed) + static_cast<std::uint32_t>(now_ - ticks_);
     dark_noted_.store(true, std::memory_order_release);
   }
 
-  /// Goes on to the next segment. That takes a separate interrupt, so that no interrupt is long.
+  /// Begins the next segment if it may begin now. This takes a separate interrupt without steps, so
+  /// that no interrupt is long.
   /// @pre no steps are left
   [[gnu::noinline]] std::uint32_t go_on() noexcept {
     PlayableSegment* const next = queue_.front();
@@ -253,7 +258,8 @@ class StepPlayer {
     return set_up_.timing.direction_set_up;
   }
 
-  /// Returns whether a segment changes neither direction nor outputs, so that it may begin early.
+  /// Returns whether a segment may begin before the time of the present segment is over: it changes
+  /// neither a direction nor an output pin.
   [[nodiscard]] bool may_begin_early(const PlayableSegment& next) const noexcept {
     return direction_in(next) == direction_ && !next.segment.outputs.any();
   }
@@ -270,7 +276,7 @@ class StepPlayer {
     queue_.drop_front();
   }
 
-  /// Returns the directions for a segment; motors that do not move keep theirs.
+  /// Returns the directions for a segment. A motor that does not move in it keeps its direction.
   [[nodiscard]] std::uint8_t direction_in(const PlayableSegment& next) const noexcept {
     return static_cast<std::uint8_t>((direction_ & ~next.moving) |
                                      (next.segment.negative & next.moving));
@@ -281,9 +287,9 @@ class StepPlayer {
                        std::memory_order_relaxed);
   }
 
-  /// Returns the ticks until this tick of the segment, or until the next change of the output if
-  /// that is earlier. A tick far beyond the segment's end means that memory has changed: the beam
-  /// would stay on without a step.
+  /// Returns the number of ticks until the tick `tick` of the segment, or until the next change of
+  /// the output if that is earlier. Stops the program if `tick` is far beyond the segment's end,
+  /// which means that memory was corrupted: the beam would stay on without a step.
   [[nodiscard]] std::uint32_t ticks_until(std::int32_t tick) const noexcept {
     constexpr std::int32_t kRounding = 100;
     const std::int32_t way = tick - now_;
@@ -302,7 +308,7 @@ class StepPlayer {
     return beam_.comes_within(pulse) ? keep_pins() : pulse;
   }
 
-  /// Checks probe and switches, after each pulse while they are watched.
+  /// Checks the probe and the switches. Called after each pulse while any of them is watched.
   [[gnu::noinline]] void look_around() noexcept {
     std::atomic_signal_fence(std::memory_order_acquire);
     const AxisArray<std::int32_t> position = trains_.position();
@@ -310,8 +316,8 @@ class StepPlayer {
     if (switches_.active()) switches_.look(port_.switches(), position);
   }
 
-  /// Stops the interrupt. After a cut-off in motion the queue stays as it is, because the main loop
-  /// may be handing over further segments.
+  /// Stops the interrupt, because the queue is empty. If this cuts motion off, segments that arrive
+  /// later stay in the queue until abort(), because the main loop may still be handing them over.
   [[gnu::noinline, gnu::cold]] std::uint32_t come_to_rest() noexcept {
     if (!comes_to_rest_) {
       starved_.store(starved_.load(std::memory_order_relaxed) + 1, std::memory_order_relaxed);
@@ -349,7 +355,8 @@ class StepPlayer {
     port_.set_analog(changes.analog_channel, changes.analog_value);
   }
 
-  // Members that each interrupt reads come first, because short offsets reach them.
+  // Members that each interrupt reads come first, because instructions with short offsets reach
+  // them there.
   Port& port_;
   StepTrains trains_{};
   std::int32_t ticks_ = 0;  ///< Length of the segment being played.
@@ -357,25 +364,27 @@ class StepPlayer {
   std::uint32_t waited_ = 0;
   SetUp set_up_{};
   PulsePins pins_{};
-  bool comes_to_rest_ = false;  ///< The machine rests after this segment.
+  bool comes_to_rest_ = false;  ///< The motion comes to rest at the end of this segment.
   std::uint8_t direction_ = 0;
   motion::SourceLine line_{};          ///< Line of the last segment begun.
-  std::atomic<bool> urgent_{false};    ///< abort_, or the output is blocked.
+  std::atomic<bool> urgent_{false};    ///< abort_ is true, or the output is blocked.
   std::atomic<bool> watching_{false};  ///< A probe is armed, or switches are watched.
   std::atomic<bool> abort_{false};
   std::atomic<bool> running_{false};
   std::atomic<std::uint32_t> starved_{0};  ///< Number of times that motion starved.
-  std::atomic<bool> ran_dry_{false};       ///< Starved, and not aborted since.
+  std::atomic<bool> ran_dry_{false};       ///< Motion has starved and was not dropped since.
   SwitchWatch switches_{};
   ProbeLatch probe_{};
   std::atomic<std::uint32_t> begun_ticks_{0};
-  std::uint32_t dark_tick_ = 0;         ///< Tick of the motion, as begun_ticks_ counts.
-  std::atomic<bool> dark_noted_{true};  ///< dark_tick_ is that of the latest blocking.
+  /// Tick of the motion at which the output was blocked, in the count of begun_ticks_.
+  std::uint32_t dark_tick_ = 0;
+  /// dark_tick_ belongs to the latest blocking of the output.
+  std::atomic<bool> dark_noted_{true};
   std::atomic<std::uint32_t> longest_wait_{kLongestWait};
   PowerOutput<Port, kPieces> beam_;
   hal::StagedRing<PlayableSegment, QueueCapacity> queue_{};
   TurnGate gate_{};
-  std::atomic<std::uint32_t> epoch_{0};  ///< Changes at rest, counted by the main loop.
+  std::atomic<std::uint32_t> epoch_{0};  ///< Number of changes at rest by the main loop.
 };
 
 }  // namespace cnc

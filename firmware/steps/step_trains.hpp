@@ -31,12 +31,13 @@ struct PlayableSegment {
   static constexpr std::int32_t kNoStep = 0x7FFF'FFFF;
 };
 
-/// The step trains of the segment being played. They are changed in place, so that a segment begins
-/// at little cost: `first_q16` is the time of the next step, and `count` the number of steps left.
-/// Step interrupt only; integers.
+/// The step trains of the segment being played. The trains are changed in the queue itself and not
+/// copied, so that a segment begins at little cost: `first_q16` is the time of the next step, and
+/// `count` the number of steps left. Step interrupt only; integers.
 class StepTrains {
  public:
-  /// Begins the trains of a segment, which must stay in its place until empty().
+  /// Begins the trains of the segment `next`, which must not change its address before empty()
+  /// returns true.
   /// @pre empty()
   void begin(PlayableSegment& next) noexcept {
     trains_ = next.segment.trains.data();
@@ -60,12 +61,12 @@ class StepTrains {
   [[nodiscard]] std::int32_t next_due() const noexcept { return earliest_q16_ >> 16; }
 
   /// Takes the steps that are due before `tick`, at most one of each motor.
-  /// @return axes of the steps
+  /// @return axes whose motors step, bit i for axis i
   std::uint8_t take_before(std::int32_t tick) noexcept {
     unsigned due = 0;
     unsigned moving = moving_;
     std::int32_t earliest = PlayableSegment::kNoStep;
-    // When the loop is unrolled, each motor's train is at a constant address.
+    // The loop is unrolled, so that each motor's train has a constant offset from `trains_`.
 #pragma GCC unroll 6
     for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
       const unsigned bit = 1U << axis;
@@ -80,7 +81,7 @@ class StepTrains {
         train.first_q16 = next;
         train.interval_q16 += train.growth_q16;
         if (steps_left <= 0) {
-          CNC_ASSERT(steps_left == 0);  // A difference means that memory has changed.
+          CNC_ASSERT(steps_left == 0);  // Otherwise memory was corrupted.
           moving ^= bit;
           continue;
         }
@@ -115,7 +116,7 @@ class StepTrains {
   unsigned moving_ = 0;  ///< Axes that still have steps.
   std::int32_t earliest_q16_ = PlayableSegment::kNoStep;
   std::uint32_t negative_ = 0;
-  AxisArray<std::int32_t> ends_{};  ///< Motor positions after the last step of the trains.
+  AxisArray<std::int32_t> ends_{};  ///< Motor positions after all steps of the trains.
 };
 
 }  // namespace cnc

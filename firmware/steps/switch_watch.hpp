@@ -12,7 +12,7 @@ namespace cnc {
 /// State of the limit switches during homing: the position at which each axis found its switch, and
 /// the motors that wait at their switches for the other motor.
 ///
-/// A switch counts from its first contact on, so its bounce has no effect.
+/// A switch counts as found from its first contact on, so its bounce has no effect.
 class SwitchWatch {
  public:
   // Functions for the main loop while the interrupt does not run.
@@ -44,7 +44,7 @@ class SwitchWatch {
   [[nodiscard]] bool active() const noexcept {
     return watched_.load(std::memory_order_relaxed) != 0;
   }
-  /// Returns the motors that get no steps.
+  /// Returns the motors that get no steps, because they wait at their switches.
   [[nodiscard]] const hal::SwitchMask& gates() const noexcept { return gates_; }
 
   /// Checks the switches; to be called after each step of any motor.

@@ -15,13 +15,13 @@ namespace cnc {
 inline constexpr std::uint32_t kTurnTicks = motion::kTicksPerSecond / 1000;
 inline constexpr std::uint32_t kTurnUs = 1000;
 
-/// Number of cycles after which the content that a cycle hands over becomes active in the step
-/// interrupt, at a boundary. Within that time the planning of a cycle may end at any moment without
-/// changing the time of a step.
+/// Number of cycles from the boundary of a cycle to the boundary at which its handover becomes
+/// active in the step interrupt. The planning of the cycle may end at any moment between these
+/// boundaries; the times of the steps are the same.
 inline constexpr std::uint32_t kTurnsToMotion = 3;
 
-/// State of the step interrupt at the boundary of a cycle. The main loop knows no other state of
-/// it.
+/// State of the step interrupt at the boundary of a cycle. During the cycle, the main loop uses
+/// only this state.
 struct StepView {
   std::uint32_t turn = 0;   ///< Number of boundaries before this one (wraps).
   std::uint32_t epoch = 0;  ///< Number of changes that the main loop had made at rest.
@@ -36,25 +36,26 @@ struct StepView {
   std::uint8_t switches_half_found = 0;
   bool running = false;
   bool probe_hit = false;
-  bool late = false;  ///< The cycle due at this boundary was not complete.
+  bool late = false;  ///< The cycle that was due at this boundary was not complete.
 };
 
 /// Running totals that the main loop had handed over at the end of a cycle.
 struct Handover {
   std::uint32_t turn = 0;
-  std::uint32_t segments = 0;  ///< Segments since the beginning.
-  std::uint32_t pieces = 0;    ///< Pieces of the output since the beginning.
+  std::uint32_t segments = 0;  ///< Number of segments since the start.
+  std::uint32_t pieces = 0;    ///< Number of pieces of the output since the start.
   std::uint16_t rest_power = 0;
 };
 
-/// Separates the main loop from the step interrupt. Only at boundaries do views pass from the
-/// interrupt to the main loop, and handovers in the other direction, both with the number of their
-/// cycle.
+/// Separates the main loop from the step interrupt. Views pass from the interrupt to the main loop,
+/// and handovers from the main loop to the interrupt, only at boundaries. Each has the number of
+/// its cycle.
 ///
 /// So the machine's behaviour follows from the state at each boundary, and not from the time that
-/// the processor took in between. A cycle that is not complete kTurnsToMotion boundaries after its
-/// own is late. Then the late boundary is counted, the handovers of older cycles become active
-/// without it, and its own becomes active at the first boundary after its end.
+/// the processor took in between. A cycle is late if it is not complete at the boundary that
+/// follows its own boundary by kTurnsToMotion. Each boundary at which a cycle is late is counted.
+/// Handovers of older cycles become active without waiting for the late cycle. The handover of the
+/// late cycle becomes active at the first boundary after the end of the cycle.
 class TurnGate {
  public:
   // Functions for the step interrupt, to be called once at each boundary, in this order.
@@ -87,7 +88,7 @@ class TurnGate {
   /// Takes the view of the next cycle to be run. Returns false if that cycle has not begun.
   [[nodiscard]] bool take(StepView& view) { return views_.try_pop(view); }
   /// Hands over the totals of a cycle.
-  /// @param content its cycle is later than all before
+  /// @param content totals of a cycle that is later than the cycles of all earlier calls
   void hand_over(const Handover& content) {
     const std::uint32_t count = handed_over_.load(std::memory_order_relaxed);
     handovers_[count % kHandovers] = content;
@@ -107,12 +108,13 @@ class TurnGate {
   [[nodiscard]] std::uint32_t behind() const { return behind_.load(std::memory_order_relaxed); }
 
  private:
-  static constexpr std::uint32_t kViews = 16;  ///< Greatest number of cycles that may wait.
-  /// Handovers kept. One may be written while the interrupt reads those of the cycles after the due
-  /// one.
+  /// Maximum number of cycles that may wait to be run.
+  static constexpr std::uint32_t kViews = 16;
+  /// Number of handovers that are kept. The main loop may write one of them while the interrupt
+  /// reads the others.
   static constexpr std::uint32_t kHandovers = 4;
   static_assert(kHandovers > kTurnsToMotion && std::has_single_bit(kHandovers));
-  /// Handover of the cycle before the first; it is empty.
+  /// Empty handover, as if from a cycle before the first cycle.
   static constexpr Handover kNothing{.turn = ~0U};
 
   void note_late(std::uint32_t behind) noexcept {

@@ -54,8 +54,8 @@ std::optional<std::uint16_t> FlashLog::number_after(std::optional<std::uint16_t>
   return std::nullopt;
 }
 
-/// Finds the last complete record of the number. Returns false if there is none, or if that record
-/// erases the number.
+/// Finds the last complete record with the number `number`. Returns false if there is none, or if
+/// that record erases the number.
 bool FlashLog::find(std::uint16_t number, FoundRecord& found) const {
   if (!exists_) return false;
   bool any = false;
@@ -91,8 +91,8 @@ bool FlashLog::append(std::uint16_t number, std::span<const std::byte> record) {
     tail_ = end + 1;
     return true;
   }
-  // Zeros the failed record, so that it is never read. If zeroing fails, too, no other remedy
-  // exists.
+  // Zeros the incomplete record, so that it is never read. A failure is ignored, because there is
+  // no other remedy.
   static_cast<void>(sector_.blot_out(begin, end));
   has_room_ = false;
   return false;

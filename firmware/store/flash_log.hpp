@@ -46,18 +46,19 @@ class FlashLog final : public hal::RecordStore {
       std::optional<std::uint16_t> number) const;
 
  private:
-  /// End of a sector's records, and results of the search for it.
+  /// End of the records in a sector (tail), and further results of the search for this end.
   struct Tail {
     std::size_t end = log_format::kFirstRecord;      ///< Word index after the last record or seal.
     std::size_t touched = log_format::kFirstRecord;  ///< Word index after the last non-erased word.
     std::optional<FoundRecord> last{};               ///< Last record; nothing if a seal follows it.
     bool sealed = false;                             ///< The tail ends with a seal.
     bool lost = false;  ///< A record that was completely written is unreadable.
-    /// All words before the last record, seal or mark belong to one of these or are zero.
+    /// Each word before the last record, seal or mark belongs to one of these, or is zero or
+    /// erased.
     bool clean = true;
   };
 
-  // Power-up, in log_recovery.cpp.
+  // Functions for power-up, in log_recovery.cpp.
   void choose_sector();
   [[nodiscard]] bool holds_later_log(std::size_t sector) const;
   [[nodiscard]] Tail find_tail() const;
@@ -70,7 +71,7 @@ class FlashLog final : public hal::RecordStore {
   [[nodiscard]] bool is_last(const FoundRecord& record) const;
   [[nodiscard]] bool append(std::uint16_t number, std::span<const std::byte> record);
 
-  // Compaction: copying into the next sector, in log_compaction.cpp.
+  // Functions that copy the records into the next sector, in log_compaction.cpp.
   [[nodiscard]] bool compact(std::optional<std::uint16_t> number,
                              std::span<const std::byte> record);
   [[nodiscard]] std::size_t words_without(std::optional<std::uint16_t> number) const;
@@ -83,7 +84,8 @@ class FlashLog final : public hal::RecordStore {
   bool damaged_ = false;   ///< Result of damaged().
   bool clean_ = true;      ///< Each record head in `sector_` begins a complete record.
   bool has_room_ = false;  ///< All words after the tail look erased.
-  /// The programming of the word at the tail was never begun: this run wrote the word before it.
+  /// The programming of the word at the tail was never begun, because the word before it was
+  /// written since power-up.
   bool tail_is_fresh_ = false;
   std::size_t tail_ = log_format::kFirstRecord;
   std::uint32_t erases_ = 0;

@@ -10,10 +10,11 @@ namespace {
 
 // Numbers of records.
 constexpr std::uint16_t kKerfDirectory = 0x6000;
-constexpr std::uint16_t kKerfParts = 0x6100;  ///< Plus 32 · bank + part.
+constexpr std::uint16_t kKerfParts = 0x6100;  ///< 32 · bank + part is added.
 constexpr std::uint16_t kBankStride = 32;
 
-/// Number of banks: one more than tables, so that at least one bank is not in the directory.
+/// Number of banks: one more than the maximum number of stored tables, so that at least one bank is
+/// not in the directory.
 constexpr std::size_t kBanks = KerfTables::kMaxStored + 1;
 constexpr std::size_t kEntryBytes = 3;
 static_assert(KerfTables::kMaxParts <= kBankStride);
@@ -259,7 +260,7 @@ std::size_t KerfTables::read_part(std::size_t index,
 
 std::optional<KerfTablesError> KerfTables::forget(std::string_view name) {
   if (is_built_in(name)) return KerfTablesError::kBuiltIn;
-  size_ = 0;  // The spare bank may change now, and its parts would then be missing.
+  size_ = 0;  // spare_bank() may return another bank now, which lacks the parts received so far.
   Directory directory = load_directory();
   for (Entry& entry : directory) {
     if (!is_named(entry, name)) continue;

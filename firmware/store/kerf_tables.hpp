@@ -18,7 +18,7 @@ enum class KerfTablesError : std::uint8_t {
   kBuiltIn,     ///< A built-in table can be neither replaced nor erased.
   kNoRoom,      ///< The maximum number of tables is stored.
   kDamaged,     ///< The stored bytes are not a complete, correct table.
-  kOutOfOrder,  ///< The part does not follow the previous part; part 0 restarts.
+  kOutOfOrder,  ///< The part does not follow the previous part; part 0 restarts the transfer.
   kNothing,     ///< No part has been received.
   kStoreFailed,
 };
@@ -44,15 +44,16 @@ class KerfTables {
 
   explicit KerfTables(hal::RecordStore& store) : store_{store} {}
 
-  /// Reason of a refusal: an error of the set of tables, or a fault in the content of one table.
+  /// Reason of a refusal: an error in the handling of the tables, or a fault in the content of one
+  /// table. If both are empty, there is no refusal.
   struct Trouble {
     std::optional<KerfTablesError> tables{};
     std::optional<kerf::TableFault> table{};
     [[nodiscard]] explicit operator bool() const { return tables || table; }
   };
-  /// Takes the next part of an image; part 0 restarts. Only the last part may be shorter than
-  /// kPartBytes. Returns an error if parts are out of order, if the store fails, or if the parts so
-  /// far show that the table cannot be used.
+  /// Takes the next part of an image; part 0 begins a new transfer. Only the last part may be
+  /// shorter than kPartBytes. Returns an error if parts are out of order, if the store fails, or if
+  /// the parts so far show that the table cannot be used.
   [[nodiscard]] Trouble take_part(std::size_t part, std::span<const std::byte> bytes);
   /// Checks whether the parts taken so far are a complete table. If they are, its name is in
   /// candidate().

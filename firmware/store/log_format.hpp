@@ -7,7 +7,7 @@
 #include "hal/interface/record_store.hpp"
 #include "planner/base/crc32.hpp"
 
-/// The layout of records in flash, in words of 32 bits. docs/store.md has a table of it.
+/// The layout of records in flash, in words of 32 bits. docs/store.md has a table of this layout.
 namespace cnc::log_format {
 
 /// First word of a sector: "KFL" and the version. A log of another version is ignored.
@@ -28,8 +28,9 @@ constexpr std::size_t kSequenceAt = 1;
 constexpr std::size_t kErasesAt = 2;
 constexpr std::size_t kHeadCrcAt = 3;
 constexpr std::size_t kCommitAt = 4;
-/// A second commit word, written by the power-up that accepted the first commit word. The first may
-/// be unsteady: its writing was interrupted, or its zeroing by a power-up that did not accept it.
+/// A second commit word, written by the power-up that accepted the first commit word. The first
+/// word may be unsteady, because a power cut interrupted its writing, or its zeroing in a power-up
+/// that did not accept it.
 constexpr std::size_t kConfirmAt = 5;
 constexpr std::size_t kBarredAt = 6;  ///< This word is zero after both commit words were made zero.
 constexpr std::size_t kFirstRecord = 7;
@@ -83,8 +84,9 @@ struct RecordHead {
 static_assert(hal::RecordStore::kLongestRecord <= RecordHead::kMaxBytes);
 
 /// Returns the CRC to which a record, seal or mark at word index `place` adds its own content. It
-/// covers sequence and place, so that bytes that only look like a record do not count. Such bytes
-/// can be part of an interrupted record or remain from an earlier use of the sector.
+/// covers the sequence of the sector and `place`, so that bytes that only look like a record do not
+/// count. Such bytes can be part of an interrupted record or remain from an earlier use of the
+/// sector.
 inline Crc32 crc_at(std::uint32_t sequence, std::size_t place) {
   Crc32 crc;
   crc.add(sequence);
@@ -99,9 +101,9 @@ inline std::uint32_t seal_at(std::uint32_t sequence, std::size_t place) {
 }
 
 /// Returns the mark, the word that is written after each saved record. It shows that the record
-/// before it was written completely. An incomplete record is damaged if a mark follows; without a
-/// mark, a power cut may have interrupted it. A mark and a seal have no more equal bits than two
-/// arbitrary words.
+/// before it was written completely. If a mark follows an unreadable record, the record is damaged.
+/// If no mark follows, a power cut may have interrupted the writing of the record. A mark and a
+/// seal have no more equal bits than two arbitrary words.
 inline std::uint32_t mark_at(std::uint32_t sequence, std::size_t place) {
   Crc32 crc = crc_at(sequence, place);
   crc.add(kMagic);

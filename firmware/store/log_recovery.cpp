@@ -6,8 +6,8 @@
 namespace cnc {
 
 /// Selects the complete sector with the highest sequence. Bars each sector that has a head but no
-/// commit: its commit word may be unsteady and read as complete at the next power-up, when another
-/// sector has later values.
+/// commit. The reason is that its commit word may be unsteady: at the next power-up it might be
+/// read as a commit, although another sector has later values.
 void FlashLog::choose_sector() {
   unsigned headless = 0;
   for (std::size_t i = 0; i < flash_.sector_count(); ++i) {
@@ -40,12 +40,12 @@ bool FlashLog::holds_later_log(std::size_t sector) const {
 
 FlashLog::Tail FlashLog::find_tail() const {
   Tail tail;
-  // Since the last record, seal or mark there are words that are neither zero nor erased nor part
-  // of any of these.
+  // Debris has been found since the last record, seal or mark: a word that belongs to none of these
+  // and is neither zero nor erased.
   bool debris = false;
-  // The word directly before the present word is such a word. A zero word resets this flag, because
-  // a record before zeros may be unreadable without damage: a power-up has zeroed the words after
-  // it and copied the record to a position after the zeros.
+  // The last word that is not erased is debris. A zero word resets this flag, because a record
+  // before zeros may be unreadable without damage: a power-up has zeroed the words after it and
+  // copied the record to a position after the zeros.
   bool torn = false;
   for (std::size_t place = log_format::kFirstRecord; place < sector_.words();) {
     const std::uint32_t word = sector_.word(place);
@@ -86,8 +86,9 @@ void FlashLog::settle_tail() {
   if (!has_room_) start_anew(tail);
 }
 
-/// Copies all valid records into the next sector, because there is no free space for a seal. The
-/// last record is written from the bytes of one reading, because its words may be unsteady.
+/// Copies all valid records into the next sector, because no seal could be written into the present
+/// sector. The words of the last record may be unsteady, so they are read only once, and the bytes
+/// of this reading are written.
 void FlashLog::start_anew(const Tail& tail) {
   if (!tail.last) {
     static_cast<void>(compact(std::nullopt, {}));
@@ -107,7 +108,7 @@ std::size_t FlashLog::end_of_begun(const Tail& tail) const {
     // The programming of this record's words may have begun even if they look erased.
     if (sector_.read_record_head(place, begun)) end = std::max(end, begun.end());
   }
-  // The programming of the next word may have begun, too.
+  // The programming of the word after these may have begun, too.
   return end + 1;
 }
 

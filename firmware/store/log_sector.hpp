@@ -42,8 +42,8 @@ class LogSector {
     return log_format::is_commit(word(log_format::kCommitAt)) ||
            log_format::is_commit(word(log_format::kConfirmAt));
   }
-  /// Returns whether the sector was complete and has lost its head. A log of another version has a
-  /// valid head, too.
+  /// Returns whether the sector was complete and has lost its head. A log of another version does
+  /// not count, because its head is valid.
   [[nodiscard]] bool is_headless() const;
   [[nodiscard]] bool commit() { return program(log_format::kCommitAt, log_format::kCommitted); }
   /// Writes the second commit word, because the writing of the first may have been interrupted.

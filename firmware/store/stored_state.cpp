@@ -9,9 +9,9 @@ namespace cnc {
 namespace {
 
 // Numbers of records. The record of a setting has the setting's number.
-constexpr std::uint16_t kSystems = 0x4000;    ///< Plus 0 to 8 for G54 to G59.3.
-constexpr std::uint16_t kG28 = 0x4100;        ///< Plus 1 for G30.
-constexpr std::uint16_t kToolRadii = 0x4200;  ///< Plus 0 or 1; each record has six tools.
+constexpr std::uint16_t kSystems = 0x4000;    ///< 0 to 8 is added, for G54 to G59.3.
+constexpr std::uint16_t kG28 = 0x4100;        ///< 1 is added for G30.
+constexpr std::uint16_t kToolRadii = 0x4200;  ///< 0 or 1 is added; each record has six tools.
 constexpr std::uint16_t kStartupLine = 0x5000;
 constexpr std::uint16_t kUserText = 0x5100;
 constexpr std::uint16_t kPowerTable = 0x5200;

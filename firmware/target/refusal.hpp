@@ -11,7 +11,7 @@
 
 namespace target {
 
-/// Answers senders on one link while the image must not run: sends a greeting, then the reason and
+/// Answers senders on one link while the image must not run: sends the banner, then the reason and
 /// an error for every line. Needs no clock, no store and no other part of the firmware. Main loop
 /// context.
 class RefusalTalk {
@@ -115,7 +115,7 @@ class RefusalTalk {
       case kReason:
         return reason_;
       case kError:
-        return "error:9\r\n";  // Number of the error "G-code is locked out".
+        return "error:9\r\n";  // Error 9 is "G-code is locked out".
       default:
         return "ok\r\n";
     }
@@ -127,7 +127,7 @@ class RefusalTalk {
   /// Number of times that each answer must still be sent.
   std::array<std::uint32_t, kParts> owed_{};
   std::array<char, kLeave.size() + 1> line_{};  ///< Beginning of the line that is arriving.
-  std::size_t length_ = 0;                      ///< Number of bytes of that line so far.
+  std::size_t length_ = 0;                      ///< Number of bytes of the arriving line so far.
 };
 
 }  // namespace target

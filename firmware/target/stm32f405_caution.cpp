@@ -1,5 +1,5 @@
 /// A question that the user must answer before flashing the image onto the board. The text is only
-/// in the ELF file, from which toolchain/image_files.py prints it, and never on the chip.
+/// in the ELF file, never on the chip; toolchain/image_files.py prints it.
 
 #include <array>
 #include <cstddef>

@@ -62,7 +62,8 @@ using namespace target;
 
 extern "C" {
 
-/// Called for a pure virtual function of a class that is under construction; this never happens.
+/// Called if an object calls a pure virtual function while it is under construction; this never
+/// happens.
 [[noreturn]] void __cxa_pure_virtual() {
   stop(chip::Fault::kContract, 0, address_of(__builtin_return_address(0)));
 }

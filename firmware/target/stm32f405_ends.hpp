@@ -12,7 +12,8 @@ namespace target {
 /// Memory that keeps its content over a restart.
 struct Kept {
   static constexpr std::uint32_t kBootLoader = 0x4446'5521;
-  /// Value of `wanted`: the last start found the image unfit to run.
+  /// Value of `wanted`: the start-up has not found the image fit to run yet. If it is still set at
+  /// the next start, the check of the image failed or did not end.
   static constexpr std::uint32_t kUnfit = 0x4E4F'5421;
 
   std::uint32_t wanted;
@@ -22,8 +23,8 @@ extern Kept kept;
 
 [[noreturn]] void restart();
 
-/// Ends the program. First switches the beam off, in every state of the program. The restart then
-/// switches off the current of the motors and reports the fault.
+/// Ends the program; may be called in every state of the program. First switches the beam off. The
+/// restart then switches off the current of the motors and reports the fault.
 [[noreturn]] void stop(hal::stm32f405::Fault fault, std::uint32_t exception, std::uint32_t place);
 
 /// Jumps to ST's boot loader. Requires the chip in its state after a reset.

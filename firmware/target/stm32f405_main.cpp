@@ -57,7 +57,7 @@ cnc::FlashLog log{flash};
 constinit chip::PatientStore<cnc::FlashLog> store{log};
 constinit chip::ChipBoard<kBoard> board{};
 constinit cnc::MemoryWatch image_watch{};
-/// This memory keeps its content over a restart.
+/// Progress of the program, in memory that keeps its content over a restart.
 [[gnu::section(".noinit")]] cnc::KeptProgress kept_progress;
 
 }  // namespace
@@ -74,7 +74,7 @@ Application application{steps, pixels, port, port, store, can.link(), &board, &k
 
 namespace {
 
-/// Sets up all used peripherals of the chip. Interrupts are still off.
+/// Sets up the peripherals of the chip that the program uses, except USB. Interrupts are still off.
 void begin_chip(const chip::Clocks& clocks, const chip::StoreSectors& sectors) {
   const bool faulted = kept.fault.mark == chip::FaultRecord::kValid;
   kept.fault.mark = 0;
@@ -148,8 +148,8 @@ void follow_senders() {
   }
 }
 
-/// Runs one cycle. The time of a cycle is the time of its boundary, so that the result does not
-/// depend on when the cycle runs.
+/// Runs one cycle. `now` is the time of the boundary of the cycle, so that the result does not
+/// depend on the time at which the cycle runs.
 void run_turn() {
   const std::uint32_t turn = application.turn();
   line.begin_turn(turn);
@@ -166,7 +166,8 @@ void run_turn() {
   chip::Watchdog<>::begin();
   for (;;) {
     if (!application.take_turn()) {
-      // If an interrupt came just before wfi, the next clock interrupt ends the wait.
+      // An interrupt that comes just before wfi does not end the wait; the next clock interrupt
+      // does.
       asm volatile("wfi");
       continue;
     }
@@ -198,7 +199,8 @@ extern const hal::TickCount* const step_tick;
 [[noreturn]] void start_up() {
   Power::darken();
   if (kept.wanted == Kept::kBootLoader) enter_boot_loader();
-  // In a damaged image the check itself may be damaged, and would then restart the chip forever.
+  // In a damaged image, the code that checks the image may be damaged, too. If this code caused a
+  // fault at the last start, another attempt would restart the chip forever.
   if (kept.wanted == Kept::kUnfit && kept.fault.mark == chip::FaultRecord::kValid) stand_still();
   kept.wanted = Kept::kUnfit;
   chip::forget_boot_loader<Bus>();
@@ -211,8 +213,8 @@ extern const hal::TickCount* const step_tick;
   kept.wanted = 0;
   begin_chip(clocks, fitness.store);
   for (const Routine* routine = init_begin; routine != init_end; ++routine) (*routine)();
-  // The store is ready now. USB starts only here, because the controller could not answer a host
-  // before: repairing a store may take seconds of erasing.
+  // The constructors have repaired the store, which may take seconds of erasing. USB starts only
+  // after the repair, because the controller could not answer a host before.
   usb_line.set_up(clocks);
   asm volatile("cpsie i" ::: "memory");
   run();

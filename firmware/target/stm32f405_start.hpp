@@ -12,13 +12,14 @@
 
 namespace target {
 
-/// Sets up memory as C++ requires, and fills the stack below the caller's frame with kPaint.
+/// Initializes the variables as C++ requires. Fills the stack below the caller's frame with kPaint,
+/// by which the used depth of the stack is found later.
 void begin_memory();
 
 /// Returns the two parts of the image before and after the four bytes of its checksum.
 std::array<std::span<const std::byte>, 2> checked_parts();
 
-/// Returns whether the flash contains the unchanged image. Works before memory is set up.
+/// Returns whether the flash contains the unchanged image. May be called before begin_memory().
 bool image_is_whole();
 
 /// Reports on every link why the image does not run, until a reset or the change to the boot

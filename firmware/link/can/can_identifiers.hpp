@@ -19,9 +19,10 @@ inline constexpr std::uint32_t kTextTo = 0x500;     ///< + node: lines to the no
 inline constexpr std::uint32_t kHeartbeat = 0x700;  ///< + node: state of the node.
 inline constexpr std::uint32_t kHostHeartbeat = 0x77F;
 inline constexpr std::uint32_t kLssFrom = 0x7E4;  ///< Answers from a node to the master (CiA 305).
-inline constexpr std::uint32_t kLssTo = 0x7E5;    ///< From the master that sets node numbers.
+/// Requests from the master to set node numbers (CiA 305).
+inline constexpr std::uint32_t kLssTo = 0x7E5;
 
-inline constexpr std::uint8_t kLastNode = 0x7E;  ///< The next number, 0x7F, is the host's.
+inline constexpr std::uint8_t kLastNode = 0x7E;  ///< Node number 0x7F is reserved for the host.
 inline constexpr std::uint8_t kUsualNode = 0x11;
 
 inline constexpr std::size_t kUrgent = 3;

@@ -20,8 +20,8 @@ void CanLink::want_node(std::uint8_t node) {
   next_ = node;
 }
 
-/// Changes to the next node number, but not while a host communicates with the node or while a
-/// master is setting a number.
+/// Changes to the node number `next_`. Waits while a host communicates with the node or a master is
+/// setting a number.
 void CanLink::follow_node() {
   if (next_ != 0 && session_ == 0 && !numbering_.configured_now()) {
     booting_ = booting_ || next_ != node_;
@@ -52,7 +52,8 @@ void CanLink::take(const hal::CanFrame& frame, hal::TickCount now) {
     host_heard_ = now;
   } else if (frame.id == can::kLssTo) {
     if (const auto reply = numbering_.take(payload, node_)) {
-      static_cast<void>(send(can::kLssFrom, *reply));  // The master repeats unanswered requests.
+      // A failure is ignored, because the master repeats requests without an answer.
+      static_cast<void>(send(can::kLssFrom, *reply));
     }
   }
 }
@@ -142,7 +143,8 @@ void CanLink::send_due(hal::TickCount now) {
   if (port_.room() == 0) return;
   if (const auto flow = receiver_.flow_due(now)) {
     const std::array payload = iso_tp::bytes_of(*flow);
-    static_cast<void>(send(can::kTextFrom + node_, payload));  // room() is above 0.
+    // This cannot fail, because room() is above 0.
+    static_cast<void>(send(can::kTextFrom + node_, payload));
   }
   for (std::size_t n = 0; n < kFramesInATurn && port_.room() > 1; ++n) {
     const auto payload = sender_.next(now);

@@ -20,11 +20,11 @@ namespace cnc {
 /// 15765-2. Realtime bytes, emergency stop and heartbeats have separate frames, which never wait
 /// for text.
 ///
-/// A session begins with the first frame to this node. It ends if a host resets the communication,
-/// frames were lost, or the host does not accept the answers. It also ends if heartbeats of the
-/// host have been received and then stay away for 80 ms. After a loss, no text is accepted until a
-/// host starts the network or resets the node, so that no line is composed of incomplete text. Main
-/// loop; no call blocks.
+/// A session begins with the first text or realtime frame to this node, or when a host starts the
+/// network. It ends if a host resets the communication, frames were lost, or the host does not
+/// accept the answers. It also ends if heartbeats of the host have been received and then stay away
+/// for 80 ms. After a loss, no text is accepted until a host starts the network or resets the node,
+/// so that no line is composed of incomplete text. Main loop; no call blocks.
 class CanLink final : public hal::SessionStream {
  public:
   /// Silence of the host's heartbeat after which the host counts as gone, microseconds. A host that
@@ -32,7 +32,7 @@ class CanLink final : public hal::SessionStream {
   static constexpr std::uint32_t kHostSilenceUs = 80'000;
   static constexpr std::uint32_t kHeartbeatUs = 500'000;
 
-  /// Condition of the machine, for heartbeats and emergency messages.
+  /// Condition of the machine that heartbeats and emergency messages report.
   struct Condition {
     bool stopped = false;    ///< The machine has an alarm.
     std::uint8_t alarm = 0;  ///< Number of the alarm; 0 for none.
@@ -63,8 +63,8 @@ class CanLink final : public hal::SessionStream {
   /// false if there is none.
   [[nodiscard]] bool take_realtime(std::byte& byte);
 
-  /// Excludes `time` from the host's silence, because the controller could not receive frames
-  /// during `time`. Called before attend().
+  /// Does not count `time` as silence of the host, because the controller could not receive frames
+  /// during this time. Called before attend().
   /// @param time microseconds
   void excuse_host(std::uint32_t time) { host_heard_ = host_heard_.plus(time); }
 
@@ -118,7 +118,7 @@ class CanLink final : public hal::SessionStream {
   TextQueue realtime_{acts_};
   std::uint32_t session_ = 0;
   std::uint32_t sessions_ = 0;
-  /// Last counted sum of lost frames, lost messages and abandoned answers.
+  /// Number of lost frames, lost messages and abandoned answers, in total, at the last check.
   std::uint32_t lost_ = 0;
   std::uint16_t error_ = can::kNoError;  ///< Error of the link that has not been sent yet.
   bool stop_ = false;

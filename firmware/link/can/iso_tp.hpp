@@ -34,9 +34,9 @@ inline constexpr std::size_t kInFirst = 6;
 inline constexpr std::size_t kInConsecutive = 7;
 inline constexpr std::uint32_t kLongestMessage = 4095;
 
-/// Longest wait for flow control (N_Bs of the standard).
+/// Longest wait of the sender for flow control (N_Bs of the standard).
 inline constexpr std::uint32_t kFlowTimeoutUs = 1'000'000;
-/// Longest wait for a frame (N_Cr of the standard).
+/// Longest wait for the next frame of a message (N_Cr of the standard).
 inline constexpr std::uint32_t kFrameTimeoutUs = 1'000'000;
 
 /// Content of a frame: up to eight bytes.
@@ -53,8 +53,8 @@ struct FlowControl {
   std::uint8_t block_size = 0;
 };
 
-/// Returns the separation time (STmin) of a code, microseconds. Reserved codes mean the longest
-/// time.
+/// Returns the separation time (STmin) of a code, microseconds. A reserved code means the longest
+/// time that the standard allows.
 [[nodiscard]] constexpr std::uint32_t separation_us(std::uint8_t code) {
   constexpr std::uint32_t kLongestMs = 0x7F;
   if (code <= kLongestMs) return code * 1000U;

@@ -22,8 +22,8 @@ namespace cnc {
 class IsoTpReceiver {
  public:
   static constexpr std::uint32_t kBytes = 512;
-  /// Free space for frames that need no permission, in bytes; frames that need permission cannot
-  /// use it.
+  /// Free space that only frames without permission may use (single frames and first frames), in
+  /// bytes.
   static constexpr std::uint32_t kReserve = 64;
   /// Length of the longest accepted message, bytes.
   static constexpr std::uint32_t kLongest = kBytes - kReserve;
@@ -34,8 +34,9 @@ class IsoTpReceiver {
   ~IsoTpReceiver() = default;
 
   struct Counts {
-    std::uint32_t broken = 0;  ///< Messages without the last frame, or with a missing frame.
-    /// Messages, or first frames of messages, for which there was no free space.
+    /// Number of messages that were dropped because a frame was missing.
+    std::uint32_t broken = 0;
+    /// Number of messages that were dropped because there was no free space for their first frame.
     std::uint32_t lost = 0;
   };
 
@@ -73,9 +74,9 @@ class IsoTpReceiver {
 
   std::array<std::byte, kBytes> storage_{};
   TextQueue text_{storage_};
-  /// Bytes of the message that have not arrived; 0: no message is incomplete.
+  /// Number of bytes of the message that have not arrived; 0: no message is incomplete.
   std::uint32_t left_ = 0;
-  std::uint32_t block_ = 0;  ///< Allowed frames that have not arrived.
+  std::uint32_t block_ = 0;  ///< Number of frames that are allowed and have not arrived.
   std::uint8_t number_ = 0;  ///< Sequence number of the next frame.
   Flow flow_ = Flow::kNone;
   hal::TickCount last_{};  ///< Time of the message's last frame, or of the last flow control.

@@ -32,7 +32,7 @@ void IsoTpSender::take(std::span<const std::byte> payload, hal::TickCount now) {
       return;
     case FlowStatus::kOverflow:
       longest_ = std::max<std::uint32_t>(length_ / 2, iso_tp::kInSingle);
-      step_ = Step::kIdle;  // next() then restarts with a shorter message.
+      step_ = Step::kIdle;  // next() then sends the bytes again in a shorter message.
       return;
   }
 }

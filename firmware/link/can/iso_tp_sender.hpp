@@ -19,13 +19,14 @@ namespace cnc {
 class IsoTpSender {
  public:
   struct Counts {
-    std::uint32_t again = 0;  ///< Messages restarted because no flow control came.
+    std::uint32_t again = 0;  ///< Number of restarts of a message because no flow control came.
     std::uint32_t given_up = 0;
   };
 
   /// @param storage memory of the queue; outlives this object; its size is a power of two
   /// @param longest length of the longest message, bytes, unless the receiver requires shorter
-  ///     ones. If `storage` has twice that length, the next message can gather while one is sent.
+  ///     ones. If `storage` has twice this length, the bytes of the next message can be queued
+  ///     while a message is sent.
   IsoTpSender(std::span<std::byte> storage, std::uint32_t longest)
       : text_{storage}, max_{longest}, longest_{longest} {}
 
@@ -64,15 +65,15 @@ class IsoTpSender {
   TextQueue text_;
   Step step_ = Step::kIdle;
   std::uint32_t length_ = 0;  ///< Length of the message being sent.
-  std::uint32_t sent_ = 0;    ///< Bytes of the message sent so far.
-  std::uint32_t block_ = 0;   ///< Frames that may be sent before the next flow control.
+  std::uint32_t sent_ = 0;    ///< Number of bytes of the message that were sent so far.
+  std::uint32_t block_ = 0;   ///< Number of frames that may be sent before the next flow control.
   std::uint32_t max_;
   std::uint32_t longest_;  ///< Length of the longest message that the receiver can store.
   std::uint32_t separation_us_ = 0;
   std::uint8_t number_ = 0;
   std::uint8_t tries_ = 0;
   std::uint8_t waits_ = 0;
-  bool endless_ = false;    ///< The receiver allowed all frames of the message.
+  bool endless_ = false;    ///< The receiver has allowed all further frames of the message.
   hal::TickCount since_{};  ///< Time of the last frame in either direction.
   Counts counts_{};
 };

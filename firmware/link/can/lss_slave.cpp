@@ -11,7 +11,7 @@ enum class Command : std::uint8_t {
   kConfigureNode = 0x11,
   kConfigureBitRate = 0x13,
   kStore = 0x17,
-  kSelectVendor = 0x40,  ///< The other three parts of the identity have the next codes.
+  kSelectVendor = 0x40,  ///< The next three codes select by product, revision and serial number.
   kSelectSerial = 0x43,
   kSelected = 0x44,
   kIdentifyVendor = 0x46,  ///< First of six codes, one for each bound of the identity.
@@ -68,7 +68,8 @@ std::optional<LssSlave::Payload> LssSlave::take(std::span<const std::byte> paylo
   } else if (command == Command::kConfigureBitRate) {
     return answer(command, kOutOfRange);
   } else if (command == Command::kStore) {
-    if (node_ == 0) return stored(true);  // This number is already stored.
+    // No other number was set, and the present number is already stored.
+    if (node_ == 0) return stored(true);
     store_ = true;
   } else if (command >= Command::kAskVendor && command <= Command::kAskSerial) {
     return answer(command, identity_[from(Command::kAskVendor)]);
@@ -87,8 +88,8 @@ void LssSlave::switch_mode(bool configure) {
   selected_ = 0;
 }
 
-/// Returns whether the controller is selected. The parts of the identity must arrive in order,
-/// beginning with the vendor.
+/// Compares `number` with part `part` of the identity. If all parts have matched in order,
+/// beginning with the vendor, selects the controller and returns true.
 bool LssSlave::is_selected(std::size_t part, std::uint32_t number) {
   const bool next = part == 0 || part == selected_;
   selected_ = next && identity_[part] == number ? part + 1 : 0;
@@ -97,8 +98,9 @@ bool LssSlave::is_selected(std::size_t part, std::uint32_t number) {
   return true;
 }
 
-/// Returns whether the identity is within all bounds. The bounds must arrive in this order: vendor,
-/// product, minimum and maximum revision, minimum and maximum serial number.
+/// Checks the identity against bound number `bound`, whose value is `number`. Returns whether the
+/// identity is within all bounds. The bounds must arrive in this order: vendor, product, minimum
+/// and maximum revision, minimum and maximum serial number.
 bool LssSlave::is_within(std::size_t bound, std::uint32_t number) {
   constexpr std::array<std::size_t, kBounds> kPartOf{0, 1, 2, 2, 3, 3};
   const std::uint32_t own = identity_[kPartOf[bound]];

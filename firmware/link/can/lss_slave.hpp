@@ -10,12 +10,13 @@
 namespace cnc {
 
 /// Lets a master set the controller's node number over the bus, by the layer setting services of
-/// CiA 305. Two services are not supported: fast scan serves nodes without a number, but every
-/// controller has one, and the bit rate is fixed by the board.
+/// CiA 305. Two services are not supported. Fast scan is not necessary, because it serves nodes
+/// without a number, and every controller has a number. The bit rate cannot be set, because the
+/// board determines it.
 ///
-/// A master selects one controller by its identity, or the only controller on the bus without it.
-/// The master then sets a number and requests that the controller store it. The number takes effect
-/// at the next reset of the communication. Main loop.
+/// A master selects one controller by its identity. If there is only one controller on the bus, the
+/// master may select it without the identity. The master then sets a number and requests that the
+/// controller store it. The number takes effect at the next reset of the communication. Main loop.
 class LssSlave {
  public:
   /// Identity that is unique to each device (object 0x1018).
@@ -47,8 +48,8 @@ class LssSlave {
 
   /// Returns the number that a master set last; 0 for none.
   [[nodiscard]] std::uint8_t set_node() const { return node_; }
-  /// Returns whether a master has selected this controller to set a number. The node number must
-  /// not change meanwhile.
+  /// Returns whether a master has selected this controller to set a number. While it is selected,
+  /// its node number must not change.
   [[nodiscard]] bool configured_now() const { return configured_now_; }
   void end_configuration() { switch_mode(false); }
 

@@ -9,8 +9,8 @@
 
 namespace cnc {
 
-/// A queue of bytes. The bytes added since the last settle() can be removed again. Used in one
-/// context only. The three counts wrap.
+/// A queue of bytes. The bytes that were added since the last settle() are not settled and can be
+/// removed again. Used in one context only. The three counts wrap.
 class TextQueue {
  public:
   /// @param storage memory of the queue; outlives this object; its size is a power of two, so that
