@@ -27,8 +27,8 @@ struct CutSource {
 [[nodiscard]] cut::LayerSettings common_settings(const CutCommandOptions& options,
                                                  cut::LayerSettings base = {});
 
-/// Returns the settings of all cuts, then those of each driven layer. A power may still be a
-/// share. Throws as settings_of_layer().
+/// Returns the settings of all cuts, then those of each driven layer. A power may still be a share
+/// of the full power. Throws the exceptions of settings_of_layer().
 [[nodiscard]] std::vector<cut::LayerSettings> power_wishes(
     const CutCommandOptions& options,
     const drawing::Drawing& drawn,
@@ -41,7 +41,8 @@ struct CutSource {
                                                     const drawing::Drawing& drawn,
                                                     const std::vector<cut::LayerRule>& rules);
 
-/// Returns the plans of the contours for which the shop has rules. Throws as layers_of().
+/// Returns the plans of the contours for which the shop has rules. Throws the exceptions of
+/// layers_of().
 [[nodiscard]] cut::Recipes recipes_of(const CutSource& source,
                                       const drawing::Drawing& drawn,
                                       const std::vector<cut::LayerPlan>& layers,

@@ -57,7 +57,7 @@ struct CutCommandOptions {
   CutOrderOptions order;
   double full_power_w = 0.0;  ///< Full power of the laser; if 0, see beam_of().
   bool constant_power = false;
-  /// Number of the kerf table, if the controller finds the path next to parts.
+  /// Number of the kerf table, if the controller offsets the path by the kerf; otherwise empty.
   std::optional<unsigned> kerf_table{};
   cut::SafetyWishes safety{};
   bool anyway = false;

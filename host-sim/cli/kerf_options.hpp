@@ -44,7 +44,7 @@ struct CutOptions {
   AcceptanceLimits limits;
   std::string laser{};  ///< Laser of cuts whose file does not name it.
   PersonOptions person{};
-  /// Whether the command also fits the cuts, for which it must know their laser.
+  /// Whether the command also fits a record to the cuts, for which it must know their laser.
   bool asks_for_laser = false;
 
   void add_to(CLI::App& command);

@@ -11,7 +11,7 @@
 #include "host-sim/pocket/strategy.hpp"
 #include "host-sim/pocket/v_carving.hpp"
 
-namespace CLI {  // NOLINT(readability-identifier-naming): theirs.
+namespace CLI {  // NOLINT(readability-identifier-naming): the library's name.
 class App;
 }
 

@@ -15,7 +15,7 @@
 #include "host-sim/surface/path/row_path.hpp"
 #include "host-sim/surface/read_surface.hpp"
 
-namespace CLI {  // NOLINT(readability-identifier-naming): theirs.
+namespace CLI {  // NOLINT(readability-identifier-naming): the library's name.
 class App;
 }
 
@@ -48,9 +48,9 @@ struct PencilOptions {
   double angle_deg = 20.0;  ///< Least angle by which the surface bends in a valley.
 };
 
-/// A question for the heights of the tool's tip at given points.
+/// A query for the heights of the tool's tip at given points.
 struct HeightQuery {
-  std::string points;   ///< File of the points; empty for no question.
+  std::string points;   ///< File of the points; empty for no query.
   std::string heights;  ///< File for the heights; empty for the standard output.
 };
 

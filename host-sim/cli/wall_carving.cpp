@@ -35,8 +35,8 @@ namespace sim {
 namespace {
 
 constexpr double kRadiansPerDegree = std::numbers::pi / 180.0;
-/// Reserve in the greatest angle between a drawn and a carved wall, beyond half angle and heat,
-/// degrees.
+/// Reserve in the limit of the angle between a drawn and a carved wall, degrees. The limit is the
+/// sum of the beam's half angle, the angle by heat and this reserve.
 constexpr double kBurnReserveDeg = 5.0;
 
 constexpr const char* kTaperFooter =

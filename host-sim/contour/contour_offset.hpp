@@ -49,8 +49,8 @@ class NoOffset : public std::runtime_error {
 /// the next contour.
 class ContourOffset {
  public:
-  /// Greatest number of points where elements of the offset cross or touch. This many require 1.4
-  /// GB of storage.
+  /// Greatest number of points where elements of the offset cross or touch. This number requires
+  /// 1.4 GB of storage.
   static constexpr std::size_t kMaxMeetings = 8'000'000;
 
   explicit ContourOffset(std::size_t max_meetings = kMaxMeetings) : max_meetings_{max_meetings} {}

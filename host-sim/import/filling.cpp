@@ -144,7 +144,8 @@ void Filling::resolve(const Group& group) {
     const auto sets = resolved(group, touch_mm);
     if (!sets) continue;
     for (const Resolved& set : *sets) {
-      // A path there and back along the same line encloses nothing; drop_flat() reports it.
+      // A path that runs forth and back along the same line encloses nothing; drop_flat() reports
+      // it.
       if (set.filled.outlines.loop_ends.empty()) continue;
       if (refuses_crossings_ && set.from.size() > 1) {
         refuse(set.from, set.filled.crossing);

@@ -20,7 +20,8 @@ class FillingNotes {
   void add(const std::vector<Piece>& pieces,
            const std::vector<std::size_t>& from,
            const FilledSet& filled);
-  /// Adds the common note, and a note about sets beyond the limit. Must be called once, at the end.
+  /// Adds the common note, and a note about the sets that exceed the limit of notes. Must be called
+  /// once, at the end.
   void finish();
 
  private:

@@ -97,8 +97,8 @@ std::map<int, LbrnLayer> lbrn_layers(const pugi::xml_node& project, LbrnUse use)
     layer.layer.offered = offered_by(setting);
     if (value_of(setting, "doOutput") == 0.0) layer.is_output = false;
     layer.has_sub_layers = !setting.child("SubLayer").empty();
-    // If an index has two settings, those for lines come first in the file, and those for pictures
-    // second.
+    // If an index has two settings, the file contains the setting for lines first, and the setting
+    // for pictures second.
     if (use == LbrnUse::kPictures && tag == "CutSetting_Img") {
       layers.insert_or_assign(number, std::move(layer));
     } else {

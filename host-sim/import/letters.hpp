@@ -22,7 +22,7 @@ struct LetterLine {
   double size = 1.0;  ///< Size of the em, in units of the line's axes.
   /// True if `size` is the height of capital letters; false if it is the size of the em.
   bool is_capital_height = false;
-  double stretch = 1.0;     ///< Factor of the width of letters.
+  double stretch = 1.0;     ///< Factor by which the width of letters is multiplied.
   double slant_rad = 0.0;   ///< Angle by which upright strokes lean to the right.
   double spacing_em = 0.0;  ///< Additional distance after each letter, in em.
   TextAnchor anchor = TextAnchor::kStart;

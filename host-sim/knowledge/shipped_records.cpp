@@ -16,7 +16,7 @@ constexpr std::array<double, 4> kCorrelations{0.93, 0.94, 0.91, 0.90};
 
 /// Adds the residual that the paper implies. The paper prints neither the number of fitted cuts nor
 /// their residuals. Its correlations and slopes over known heat inputs imply the residuals. The
-/// heat inputs are those of Table 2 at every full m/min, once each.
+/// heat inputs are those that Table 2 permits, each at every whole speed in m/min.
 void add_implied_residual(ThicknessRecord& row, kerf::HeatUnit unit) {
   std::vector<double> heats;
   for (const PowerRecord& power : row.powers) {

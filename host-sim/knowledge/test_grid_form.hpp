@@ -19,7 +19,7 @@ struct MeasuredGrid {
   std::vector<std::string> notes{};           ///< Notes on values that are missing or assumed.
 };
 
-/// Person and day that replace those of a form without them.
+/// Person and day for a form that does not name them.
 struct FormPerson {
   std::string by{};
   std::string on{};  ///< Day of the measurement, YYYY-MM-DD.

@@ -11,8 +11,8 @@
 namespace sim {
 
 /// The limit switches of the model machine, one for each motor. A switch is closed from a position
-/// onwards, and its contact bounces. The model is deterministic: the same steps at the same ticks
-/// give the same readings.
+/// of its axis onwards, and its contact bounces. The model is deterministic: the same steps at the
+/// same ticks give the same readings.
 class SwitchModel {
  public:
   explicit SwitchModel(const MachineModel& model) : model_{model} {}

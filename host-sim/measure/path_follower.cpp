@@ -7,14 +7,14 @@
 namespace sim {
 namespace {
 
-/// Excess distance at which the search ahead ends, in step diagonals. The tolerance by which
-/// corners or tips of curves may be cut is added to it. The excess exceeds the two steps by which
-/// the place may trail.
+/// Distance beyond the smallest distance so far at which the search ahead ends, in step diagonals.
+/// The tolerance by which corners or tips of curves may be cut is added to this value. It exceeds
+/// the two steps by which the place may trail.
 constexpr double kWindowSteps = 3.0;
 
-/// Excess distance up to which a point counts as being as near as the nearest point, in step
-/// diagonals. It is slightly more than half a diagonal, by which the motors of an ideal machine are
-/// off.
+/// Distance beyond that of the nearest point up to which another point counts as equally near, in
+/// step diagonals. It is slightly more than half a diagonal, by which the motors of an ideal
+/// machine are off.
 constexpr double kTieSteps = 0.55;
 
 /// Distance by which the place stays before the nearest point of its piece, in step diagonals.

@@ -280,7 +280,8 @@ void ProgramReader::note_third_offset(const ProgramLine& line) {
 
 void ProgramReader::add_piece(const Curve& curve, Travel travel, double feed) {
   path_.end = position_ = curve.end();
-  // From an offset position, a motion to the programmed position also leads back to the path.
+  // After G40 the tool is still offset. A motion to its programmed position has no programmed
+  // length, but leads back to the path.
   const bool nowhere = curve.length() <= 0.0;
   if (nowhere && !is_beside_) return;
   const cnc::PlaneAxes axes = cnc::axes_of(modes_.plane());

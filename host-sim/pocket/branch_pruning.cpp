@@ -46,7 +46,7 @@ class BranchPruner {
         is_wider};
     for (std::uint32_t i = 0; i < degrees_.size(); ++i) {
       if (degrees_[i] == 1) leaves.push(i);
-      if (degrees_[i] == 0) dropped_[i] = true;  // This node never had an edge in the area.
+      if (degrees_[i] == 0) dropped_[i] = true;  // The node has no edge in the area.
     }
     while (!leaves.empty()) {
       const std::uint32_t leaf = leaves.top();

@@ -75,7 +75,8 @@ CourseDrive CrescentDriver::drive(const AxisCourse& course,
       next = next_crescent(course, s, circle, limits_);
       if (next < s + kMinProgressMm) break;
       if (is_free(course.circle_at(next))) {
-        // The next crescent begins on the disc at `next`. The tool is not in this disc, but up.
+        // The next crescent begins on the disc at `next`. The tool does not move there: it stays up
+        // until it descends for this crescent.
         done.way_back.push_back(course.circle_at(next));
         take_free_disc(course.circle_at(next));
       } else {

@@ -23,8 +23,9 @@ class ChainRefiner {
   ChainRefiner(const OwnedArea& area, double tolerance_mm)
       : area_{area}, tolerance_mm_{tolerance_mm} {}
 
-  /// Returns whether an edge is outside of the area, although both its nodes count as inside. The
-  /// nearest point of such a node is where hairs of the boundary meet, and these decide wrongly.
+  /// Returns whether an edge is outside of the area, although both its nodes count as inside. At
+  /// the boundary point nearest to such a node, hair-thin parts of the boundary meet. There, the
+  /// test on which side of the boundary the node is may fail.
   [[nodiscard]] bool is_outside(const AxisPoint& from,
                                 const AxisPoint& to,
                                 const AxisEdge& edge) const {

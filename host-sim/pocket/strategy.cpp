@@ -14,7 +14,7 @@ namespace sim::pocket {
 
 double margin_of(const StrategyOptions& options) {
   // Margins in tool radii. The tool moves beyond the edge by slightly more than its diameter.
-  // Crescents begin in discs that are twice as wide.
+  // Crescents begin in discs that are twice as wide as the tool.
   constexpr double kOfLoops = 2.5;
   constexpr double kOfCrescents = 4.0;
   const double radius_mm = options.pocket.clearing.tool_radius;

@@ -22,7 +22,8 @@ enum class ArcForm : std::uint8_t {
 
 enum class CommentForm : std::uint8_t { kBrackets, kSemicolon, kNone };
 
-/// The words that each motion has, even if the previous motion had equal ones.
+/// The words that each motion has, even if the previous motion had the same words with the same
+/// values.
 enum class Repeat : std::uint8_t {
   kNothing,
   kMotion,  ///< Only the word G0, G1, G2 or G3.

@@ -215,7 +215,7 @@ class PostWriter {
 
   /// Writes an arc in `parts` parts: as smaller arcs with a radius, or as lines.
   void write_parts(const SortedLine& line, const ProgramArc& arc, int parts, int motion) {
-    constexpr int kDigitsOfParts = 4;  // Decimals if the post gives no number of decimals.
+    constexpr int kDigitsOfParts = 4;  // Number of decimals if the post gives none.
     const double scale = std::pow(10.0, post_.decimals.value_or(kDigitsOfParts));
     SortedLine part = line;
     for (const Vector3d& point : divided(arc, parts)) {

@@ -169,9 +169,9 @@ class PairFinder {
     if (is_worse) pairs_[key] = {key, meeting.overlap, meeting.distance_mm, meeting.place};
   }
 
-  /// Finds the parts whose material is under an outer edge, and records that its own part overlaps
-  /// them. The edge is on the material of a part if an odd number of that part's edges are around
-  /// it.
+  /// Finds the parts whose material is under an outer edge, and records that the part of this edge
+  /// overlaps them. The edge is on the material of a part if an odd number of that part's edges are
+  /// around it.
   void look_for_cover(std::size_t contour) {
     const DrawnContour& drawn = placed_.contours[contour];
     if (depth_of(contour) != 0) return;

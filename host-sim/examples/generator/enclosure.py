@@ -41,7 +41,8 @@ def program(data_folder):
 
 
 def layer(writer, names, paths, power, speed):
-    """Writes one cut of LightBurn's plan. Each shape is cut once for each of `names`, which name the passes."""
+    """Writes one cut layer of LightBurn's plan. Each shape is cut once for each name in `names`, which are the names
+    of the passes."""
     writer.comment(f"Cut @ {speed} mm/min, {power}% power")
     writer.raw("M8")
     for path in paths:
