@@ -120,8 +120,8 @@ ExitStatus refuse(const CutCommandOptions& options,
   return ExitStatus::kFaults;
 }
 
-/// Returns the settings of a machine with a laser: laser mode, then those of the profile, then
-/// those of the call.
+/// Returns the settings of a machine with a laser in the order in which they apply: laser mode, the
+/// settings of the profile, the settings of the call.
 std::vector<SettingChange> machine_of(const CutCommandOptions& options) {
   std::vector<SettingChange> settings{parse_setting("$32=1", "laser mode")};
   settings.insert(settings.end(), options.machine_settings.begin(), options.machine_settings.end());

@@ -28,7 +28,7 @@ namespace sim {
 struct CutRecipeOptions {
   std::string file;  ///< Recipe to read; empty for none.
   std::string save;  ///< Recipe to write; empty for none.
-  /// Rules of the recipe that was read, which apply before those of the call.
+  /// Rules of the recipe that was read. They apply before the rules of the call.
   std::vector<cut::LayerRule> layers;
 };
 

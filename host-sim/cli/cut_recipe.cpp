@@ -83,8 +83,8 @@ class RecipeReader {
         cut::marked_json(read_text(file_), name_of_input(file_), kRecipeMark, "recipe");
     const std::vector<std::string> keys = keys_of(command_);
     const cut::JsonFields fields{document, name_of_input(file_), "", keys};
-    // Layers are read first: a file of layers in the same recipe is no conflict, whichever key
-    // comes first.
+    // The rules for layers are read first. Thus a file of layers in the same recipe is no conflict,
+    // whichever of the two keys comes first.
     if (document.contains(kLayersKey)) read_layers(document[kLayersKey]);
     for (const auto& [key, value] : document.items()) {
       if (key == kRecipeMark || key == kLayersKey) continue;

@@ -67,7 +67,8 @@ void add_unit_option(CLI::App& command, std::string& unit);
                                            double value,
                                            double most,
                                            const char* unit);
-/// Return checks for options with such values. Their messages name range and unit.
+/// Return checks for options whose value is a thickness, a power or a speed. Their messages name
+/// range and unit.
 [[nodiscard]] CLI::Validator thickness_range();
 [[nodiscard]] CLI::Validator power_range();
 [[nodiscard]] CLI::Validator speed_range();

@@ -115,7 +115,7 @@ void add_rough_options(CLI::App& command, SurfaceCommandOptions& options);
 void check_rough_options(const SurfaceCommandOptions& options);
 
 /// Returns the step-over of roughing in levels, mm: that of the options, or a step-over that suits
-/// the tool. Throws std::invalid_argument if it would leave stock between passes.
+/// the tool. Throws std::invalid_argument if the step-over would leave stock between passes.
 [[nodiscard]] double rough_step_of(const SurfaceCommandOptions& options,
                                    const stock::Cutter& cutter);
 

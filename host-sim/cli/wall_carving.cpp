@@ -61,7 +61,7 @@ std::vector<NamedStrokes> read_beams(const CarveOptions& options) {
   return beams;
 }
 
-/// Returns the box around part and tips.
+/// Returns the box around the part and the tips of all beams.
 Eigen::AlignedBox3d box_of(const surface::Mesh& part, const std::vector<NamedStrokes>& beams) {
   Eigen::AlignedBox3d box;
   for (const Eigen::Vector3d& point : part.points) box.extend(point);

@@ -63,9 +63,9 @@ Fault dense(const Piece& piece, double width_mm) {
       "it is left out; simplify it, or leave it open to draw a line"};
 }
 
-/// Reports a closed contour without area. If its outline is painted, the contour is visible as a
-/// line and is kept as an open contour. Otherwise the contour is not visible, and is dropped.
-/// Returns whether the contour is kept.
+/// Reports a closed contour without area as a line or as left out. If its outline is painted, the
+/// contour is visible as a line and is kept as an open contour. Otherwise the contour is not
+/// visible, and is dropped. Returns whether the contour is kept.
 bool keep_as_line(Sketch& sketch, Piece& piece) {
   const Place& place = piece.outline.front();
   const std::string reason = "the contour is closed and has no area";

@@ -38,8 +38,8 @@ struct OfferedSettings {
 /// A layer, by which a user sorts a drawing. Contours are joined only within one layer.
 struct Layer {
   std::string name;  ///< Name of the DXF layer, the labelled SVG group or the part; may be empty.
-  /// Colour. SVG: the colour of the stroke, or of the fill if there is no stroke, as written. DXF:
-  /// `ACI n` or `#rrggbb`.
+  /// Colour of the layer. SVG: the colour of the stroke or, if there is no stroke, of the fill, as
+  /// the file writes it. DXF: `ACI n` or `#rrggbb`.
   std::string colour;
   std::optional<OfferedSettings> offered{};
   auto operator<=>(const Layer&) const = default;
@@ -162,7 +162,7 @@ struct Stock {
   bool keeps_skeleton = false;  ///< True if the stock around the parts stays in one piece.
 };
 
-/// The order in which the parts of a sheet file are cut.
+/// The order in which the parts of a sheet file are cut, as a rank for each part.
 struct PartTurns {
   /// Rank of each part in the order of cutting, indexed by Entity::part. Parts with lower ranks are
   /// cut first. If empty, the parts may be cut in any order.
@@ -185,8 +185,7 @@ struct Drawing {
   /// The first kMaxFaults faults, in the order in which they were found.
   std::vector<Fault> faults;
   std::size_t more_faults = 0;  ///< Number of faults that were found but are not listed.
-  std::size_t more_lines = 0;   ///< Number of faults about open contours (Fault::is_of_line) that
-                                ///< are not listed.
+  std::size_t more_lines = 0;   ///< Number of unlisted open contours (Fault::is_of_line).
 
   [[nodiscard]] bool has_errors() const;
 };

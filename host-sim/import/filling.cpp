@@ -22,7 +22,7 @@ namespace {
 
 /// Pieces that may touch each other, as loops of one arrangement.
 struct Group {
-  std::vector<std::size_t> pieces{};  ///< Number of the piece from which each loop was made.
+  std::vector<std::size_t> pieces{};  ///< For each loop, the number of its piece.
   Contour loops{};
   /// Numbers of pieces that have no loop, because no arcs follow them within the tolerance.
   std::vector<std::size_t> without_arcs{};

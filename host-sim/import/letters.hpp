@@ -44,8 +44,8 @@ void add_letters(Sketch& sketch,
                  const LetterLine& line,
                  const std::function<bool(const std::vector<Shape>&)>& is_visible = {});
 
-/// Sets fill rule and filling of the entity of letters. Puts letters of single strokes on a layer
-/// of the same name with the colour kStrokeTextColour.
+/// Sets fill rule and filling of the entity of letters. Puts letters of single strokes on another
+/// layer, which has the same name but the colour kStrokeTextColour.
 void sort_letters(Sketch& sketch, Entity& entity);
 
 /// Adds the curves of letters, in mm, to the sketch. Returns false if the sketch cannot take more

@@ -63,9 +63,9 @@ PowerRecord example_power(double watts, double min_mm_min, double max_mm_min) {
   return {to_thousandths(watts), {to_thousandths(min_mm_min), to_thousandths(max_mm_min)}, {}};
 }
 
-/// Returns an example record without measurements, as a start of a calibration. It has round
-/// numbers of the size that makers of 40 to 80 W tubes give. Its uncertainty is that of a guess, ±
-/// 0.1 mm.
+/// Returns an example record without measurements, as a start of a calibration. Its round numbers
+/// are similar to the values that makers of 40 to 80 W tubes give. They are a guess, so the
+/// uncertainty is ± 0.1 mm.
 MaterialRecord example_acrylic() {
   constexpr double kDoubtMm = 0.05;
   MaterialRecord record{

@@ -15,7 +15,7 @@ namespace sim {
 /// Content of a form that was filled in.
 struct MeasuredGrid {
   std::string material{};
-  std::vector<OperationRecord> operations{};  ///< One operation for each good square.
+  std::vector<OperationRecord> operations{};  ///< One for each square with the result `good`.
   std::vector<std::string> notes{};           ///< Notes on values that are missing or assumed.
 };
 

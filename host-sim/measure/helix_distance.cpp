@@ -38,8 +38,7 @@ bool HelixDistance::stationary(double fraction, double from) const {
 }
 
 double HelixDistance::refined(double fraction, double low, double high) const {
-  constexpr int kSteps = 12;  // Greatest number of Newton steps. Convergence is quadratic: near the
-                              // curve, 5 steps are enough.
+  constexpr int kSteps = 12;  // Near the curve, 5 Newton steps are enough.
   for (int i = 0; i < kSteps; ++i) {
     const double rate = half_slope_rate(fraction);
     if (rate <= 0.0) break;

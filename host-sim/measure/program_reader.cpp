@@ -237,7 +237,8 @@ void ProgramReader::move_straight(const Point& to, Travel travel) {
   if (travel == Travel::kProbe) stop_pending_ = true;
 }
 
-/// Adds as many equal parts as there are powers. With G93, F applies to the complete line.
+/// Divides a motion into equal parts, one for each power of the line, and adds them. With G93, F
+/// applies to the complete line.
 void ProgramReader::move_in_parts(const ProgramLine& line, const Point& to) {
   const Point from = position_;
   const Curve whole = Curve::line(from, to);

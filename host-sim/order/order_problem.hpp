@@ -24,7 +24,7 @@ struct OrderProblem {
   /// First candidate of each set, then the number of candidates.
   std::vector<cnc::order::Index> first_candidate;
   /// For each candidate, the candidate that cuts the same contour backwards. Empty if each
-  /// candidate is its own reversal.
+  /// candidate equals its own reversal.
   std::vector<cnc::order::Index> reversed;
   std::vector<cnc::order::Before> pairs;
   Metric metric = Metric::kPlane;

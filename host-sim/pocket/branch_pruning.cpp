@@ -71,8 +71,8 @@ class BranchPruner {
     return kNoNode;
   }
 
-  /// Removes the branch that ends at `leaf`, as long as the removed discs reach at most the slack
-  /// beyond the rest. Returns the node at which the removed part ended.
+  /// Removes edges from `leaf` on, as long as the removed discs reach beyond the remaining discs by
+  /// at most the slack. Returns the node at which the removed part ended.
   std::uint32_t prune_from(std::uint32_t leaf) {
     if (degrees_[leaf] != 1) return kNoNode;
     path_.clear();

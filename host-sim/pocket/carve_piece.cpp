@@ -165,7 +165,8 @@ class LineFitter {
   double share_mm_;
 };
 
-/// Gives all pieces that meet at a node the same radius there: the least of their radii.
+/// Gives all pieces the same radius at the node at which they meet: the least of their radii at
+/// this node.
 void share_nodes(CarveGraph& graph) {
   for (CarvePiece& piece : graph.pieces) {
     for (const auto& [node, end] : {std::pair{piece.from, &piece.points.front()},

@@ -116,8 +116,8 @@ void CrescentDriver::list_tip(const AxisCourse& course, double from) {
   out_.narrow.push_back(tip);
 }
 
-/// Returns the length up to which the discs from `from` on are free of stock. The tool stays up
-/// there.
+/// Returns the length along the course up to which the discs from `from` on are free of stock. On
+/// this part, the tool stays up.
 double CrescentDriver::end_of_free(const AxisCourse& course, double from, CourseDrive& done) {
   const double step = 0.05 * limits_.tool_radius_mm;
   double end = from;

@@ -147,7 +147,7 @@ class PostWriter {
       motion_ = number;
     } else if (word.letter == 'G' && number >= kFirstPlaneWord && number < kFirstPlaneWord + 3) {
       plane_ = static_cast<Plane>(number - kFirstPlaneWord);
-      if (written_plane_) return;  // The next arc writes this plane.
+      if (written_plane_) return;  // Written when an arc, G41 or G42 requires the plane.
       written_plane_ = plane_;
       line.codes.push_back(replaced(name));
     } else {

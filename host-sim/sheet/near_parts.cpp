@@ -113,7 +113,8 @@ class PairFinder {
   using Box = cnc::contour::FlatBox<double>;
   using Key = std::pair<std::size_t, std::size_t>;
 
-  /// Returns the number of contours around a contour that are edges of the same part.
+  /// Returns the number of contours that surround a contour and are edges of the same part as this
+  /// contour.
   [[nodiscard]] std::size_t depth_of(std::size_t contour) const {
     std::size_t depth = 0;
     for (auto p = placed_.contours[contour].parent; p; p = placed_.contours[*p].parent) {

@@ -1,7 +1,6 @@
 """Writes enclosure_lightburn.nc: a finger-jointed box for a controller board, in the style of LightBurn for Grbl.
 
-LightBurn (1.x, "GRBL" device) chops every curve into short G1 lines. This program does the same.
-"""
+LightBurn (1.x, "GRBL" device) chops every curve into short G1 lines, and so does this generator. """
 import math
 
 from .cutting import nearest_order
