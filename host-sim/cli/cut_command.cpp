@@ -194,7 +194,7 @@ cut::OrderWish searched_order(const CutCommandOptions& options) {
 }
 
 /// Writes pictures, program, frame and reports of a job. If the job has faults, the program is
-/// written only if the call requires the contours without faults.
+/// written only if the call requires a program of the contours that have no faults.
 ExitStatus write_job(const CutCommandOptions& options,
                      const CutJob& job,
                      const CutRun& run,

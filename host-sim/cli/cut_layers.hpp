@@ -16,8 +16,9 @@ struct CutSource {
   const cut::Beam& beam;
 };
 
-/// Reads the rules for layers of a call. Throws std::invalid_argument naming the option or the line
-/// of the file of a wrong rule. A rule for a layer that the drawing does not have is wrong, too.
+/// Reads the rules for layers of a call. Throws std::invalid_argument that names the option, or the
+/// line of the file, of a wrong rule. A rule for a layer that the drawing does not have is wrong,
+/// too.
 [[nodiscard]] std::vector<cut::LayerRule> layer_rules_of(const CutCommandOptions& options,
                                                          const drawing::Drawing& drawn,
                                                          InputFiles& inputs);

@@ -24,7 +24,7 @@ class App;
 
 namespace sim {
 
-/// The recipe that a call reads, and the one that it writes.
+/// The recipe that a call reads, and the recipe that it writes.
 struct CutRecipeOptions {
   std::string file;  ///< Recipe to read; empty for none.
   std::string save;  ///< Recipe to write; empty for none.
@@ -46,7 +46,7 @@ struct CutCommandOptions {
   std::string entry;
   /// Keys and values of the material's entry.
   std::vector<std::pair<std::string, std::string>> known;
-  std::string laser;  ///< Laser of this machine; empty if not named.
+  std::string laser;  ///< Name of the machine's laser; may be empty.
   /// Keys and values of LayerSettings for all cuts.
   std::vector<std::pair<std::string, std::string>> common;
   std::vector<std::string> layers;

@@ -11,7 +11,7 @@ class App;
 
 namespace sim {
 
-/// Adds `--machine`: the file of a machine profile, or the name of a shipped one.
+/// Adds `--machine`: the file of a machine profile, or the name of a shipped profile.
 void add_machine_option(CLI::App& command, std::string& machine);
 
 /// Returns the profile that `--machine` names; empty if `machine` is empty. Throws

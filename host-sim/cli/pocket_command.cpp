@@ -133,8 +133,8 @@ class PocketMiller {
     milled_.levels = std::max(milled_.levels, levels);
   }
 
-  /// Mills the areas of a terrace into which the tool fits. Adds the number of its levels to
-  /// `levels`.
+  /// Mills the areas of a terrace into which the tool fits. Adds the number of the terrace's levels
+  /// to `levels`.
   std::vector<PathRows> mill_areas(const Terrace& terrace, std::uint32_t& levels) {
     planner_.set_depth(terrace.to_mm - terrace.from_mm);
     std::vector<PathRows> paths;

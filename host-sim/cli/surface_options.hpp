@@ -32,7 +32,7 @@ enum class SurfacePaths : std::uint8_t {
 /// The stock around a surface.
 struct SurfaceStock {
   std::optional<double> top_mm;  ///< Top; empty for the surface's highest point.
-  /// Distance from the surface's box to the edge, mm; empty if the edge is not known.
+  /// Distance from the surface's box to the stock's edge, mm; empty if not known.
   std::optional<double> margin_mm;
 };
 
@@ -66,7 +66,7 @@ struct SurfaceCommandOptions {
   double tolerance_mm = 0.01;
   /// Step-over, mm; 0 for a step-over by the scallop, or a tenth of the tool's diameter.
   double step_mm = 0.0;
-  double scallop_mm = 0.0;          ///< Greatest height of scallops; 0 for any.
+  double scallop_mm = 0.0;          ///< Greatest height of scallops; 0 for no limit.
   std::optional<double> angle_deg;  ///< Angle of the rows; empty for along X.
   double allowance_mm = 0.0;
   double margin_mm = 0.0;

@@ -29,8 +29,8 @@ class DoubledCurves {
                                        KnownRows& rows);
 
  private:
-  /// Coordinates of the four control points in units of 1e-7 mm. The list begins at the end of the
-  /// curve that is the smaller one in sorting order.
+  /// Coordinates of the four control points in units of 1e-7 mm. The list begins at the end point
+  /// that is first in sorting order.
   using Key = std::array<std::int64_t, 8>;
 
   struct Known {

@@ -67,7 +67,7 @@ class Strips {
   /// Counts in `hits`, for each piece, its crossings of the ray from `place` to the right. `place`
   /// may be outside of all strips. Returns false if the budget is spent.
   bool count(const Place& place, std::map<std::size_t, std::size_t>& hits, Budget& budget) const {
-    // Cost of the full check of a chord, in units of the check of the box of its piece.
+    // Cost of the full check of a chord, relative to the cost of the check of a piece's box.
     constexpr std::size_t kCloseLook = 16;
     if (place.y() < min_ || place.y() > max_) return true;
     const std::size_t number = strip_of(place.y());

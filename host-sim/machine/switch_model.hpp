@@ -36,7 +36,7 @@ class SwitchModel {
     bool present = false;
     bool low = false;       ///< Whether the switch is at the lower end of the axis.
     bool second = false;    ///< Whether the axis has two motors, each with its own switch.
-    std::int64_t step = 0;  ///< First step, from the inside, at which the switch is closed.
+    std::int64_t step = 0;  ///< Position, in steps, from which the switch is closed.
     /// Number of steps by which the second motor is nearer to its switch.
     std::int64_t second_ahead = 0;
   };

@@ -123,8 +123,9 @@ double PathFollower::excess_between(
 // Returns the excess on one piece. Along a line, the excess is convex. Where an arc just touches
 // the edge of a step, the excess has more than one minimum. Therefore the search is done in parts.
 double PathFollower::piece_excess(const Point& position, const Match& match, double enough) const {
-  // Parts of the four steps around the nearest point, in order outwards from this point. A point
-  // with an excess of at most `enough` is likely to be near it.
+  // The four steps around the nearest point are divided into eight parts. They are searched in this
+  // order, from the nearest point outwards. A point with an excess of at most `enough` is likely to
+  // be near it.
   constexpr std::array kParts{3, 4, 2, 5, 1, 6, 0, 7};
   const Curve& curve = this->curve(match.piece);
   const double reach = 2.0 * step_size_ / curve.length();

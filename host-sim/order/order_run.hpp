@@ -70,7 +70,7 @@ class OrderRun {
 
  private:
   static constexpr double kUsualSeconds = 1.0;
-  static constexpr double kEndless = 1.0e12;  ///< Time limit of a run without a limit, s.
+  static constexpr double kEndless = 1.0e12;  ///< Time limit that stands for unlimited time, s.
   // Shares of the run at which the first search ends and at which the search for a proof ends. A
   // second search uses the rest of the run.
   static constexpr double kFirstShare = 0.3;

@@ -122,7 +122,7 @@ void AreaClearer::clear_piece(std::size_t index, std::vector<Frame>& frames) {
   }
 }
 
-/// Drives the return that is still to be driven. Lifts the tool instead if the return is too long.
+/// Drives the pending return (`way_back_`). Lifts the tool instead if the return is too long.
 void AreaClearer::return_to(const ToolCircle& circle) {
   std::vector<WideVec2> places;
   for (const ToolCircle& disc : way_back_) places.push_back(disc.centre);

@@ -90,7 +90,8 @@ class BranchPruner {
       if (is_real) excess += reach_beyond(node, to);
       excess = std::max(excess, excess_[to]);
       widest = std::max(widest, graph_.nodes[to].radius);
-      // Beyond the middle of a circle, the path would follow the branch to another joint.
+      // If the radius falls along a false edge, the path has passed the middle of a circle and
+      // would follow the branch to another joint.
       const bool narrows = graph_.nodes[to].radius < widest - slack_mm_;
       if (excess > slack_mm_ || (!is_real && narrows)) {
         path_.resize(false_edges);

@@ -122,8 +122,8 @@ class ChainMaker {
     for (std::uint32_t i = 0; i < at_node_.size(); ++i) {
       if (at_node_[i].size() != 2) begin_at(i);
     }
-    // The remaining edges form loops without a branch or an end. Any of their nodes becomes a node
-    // of the axis.
+    // The remaining edges form loops without a branch or an end. In each loop, an arbitrary node
+    // becomes a node of the axis.
     for (std::uint32_t i = 0; i < at_node_.size(); ++i) {
       if (at_node_[i].size() == 2 && !used_[at_node_[i].front()]) begin_at(i);
     }

@@ -67,8 +67,8 @@ struct Post {
   bool has_blanks = false;  ///< Whether words are separated by a blank.
   std::string line_end = "\n";
   DwellForm dwell{};
-  /// Replacements of words, by the word: G and M words, for example `M8`, and S. An empty text
-  /// leaves the word out. S can only be left out.
+  /// Replacements of words, keyed by the word to replace: G and M words, for example `M8`, and S.
+  /// An empty text leaves the word out. S can only be left out.
   std::map<std::string, std::string> words{};
 
   /// Returns whether arcs in a plane are written as arcs.

@@ -233,8 +233,8 @@ class PostWriter {
     }
   }
 
-  /// Writes one motion. Axes have words if `line` gives their values, or all of them if the post
-  /// repeats all words.
+  /// Writes one motion. An axis has a word if `line` gives its value, or if the post repeats all
+  /// words.
   void write_element(const SortedLine& line, int motion, const std::vector<std::string>& arc) {
     std::vector<std::string> words = line.codes;
     if (motion != written_motion_ || post_.repeat != Repeat::kNothing) {
