@@ -29,7 +29,7 @@ class FillingNotes {
 
   Sketch& sketch_;
   std::size_t notes_ = 0;
-  std::size_t more_ = 0;  ///< Number of sets that have no note of their own.
+  std::size_t more_ = 0;  ///< Number of sets without a separate note.
   double more_unseen_mm_ = 0.0;
   std::size_t mended_ = 0;  ///< Number of contours that only lost small loops.
   /// Number of small loops that the contours counted by `mended_` have lost.

@@ -137,7 +137,7 @@ class Sketch {
   };
 
   /// Returns whether a fault reports that strokes of letters are open, cross each other or meet.
-  /// Strokes of letters normally do so, and the fault is not reported.
+  /// These properties are normal for strokes of letters, so the fault is not reported.
   [[nodiscard]] bool is_of_strokes(const Fault& fault) const;
 
   double effort_;

@@ -22,7 +22,7 @@ namespace sim {
 
 /// Reads a program line by line, in the order in which the controller accepts the lines.
 /// (read_for_machine() reads a complete program.) Refused lines are not part of the path. The path
-/// is not kept.
+/// is not stored.
 class MachineReading {
  public:
   MachineReading(const cnc::Settings& settings, PieceSink sink);

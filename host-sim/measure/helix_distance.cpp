@@ -7,8 +7,8 @@ namespace sim {
 
 namespace {
 
-/// Greatest sweep of half a turn, radians. It slightly exceeds π, because corrected arcs may exceed
-/// half a turn slightly.
+/// Greatest sweep that counts as half a turn, radians. It slightly exceeds π, because corrected
+/// arcs may turn by slightly more than half a turn.
 constexpr double kHalfTurn = 3.2;
 
 }  // namespace

@@ -22,7 +22,7 @@ using ReadText = std::function<std::string(const std::string&)>;
 [[nodiscard]] drawing::Transform transform_of(const Placing& placing);
 
 /// Draws the copies of all parts of a sheet as one drawing. Lines and arcs stay lines and arcs.
-/// Layers with the same name and colour become one layer. Each copy is a part of its own
+/// Layers with the same name and colour become one layer. Each copy is a separate part
 /// (`Entity::part`, named in `Drawing::parts`), and its contours have names such as `bracket #2:
 /// path "a"`. The faults are those of the sheet, and those of each drawing. The faults of a drawing
 /// are listed once, with the name of its part.
