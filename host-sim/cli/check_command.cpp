@@ -13,8 +13,8 @@
 namespace sim {
 namespace {
 
-/// Returns the bounds of the axes from `first` to before `last`; an empty text if none of them
-/// moves.
+/// Returns a text with the bounds of the axes from `first` up to, but not including, `last`; empty
+/// if none of them moves.
 std::string bounds_text(const Report& report, std::size_t first, std::size_t last) {
   std::string text;
   for (std::size_t axis = first; axis < last; ++axis) {

@@ -13,8 +13,8 @@ bool names_file(const CLI::Option& option) {
   return file_role(option).has_value() || option.get_type_name() == "DEVICE";
 }
 
-/// Returns the values of a closed set: `a` and `b` from CLI11's descriptions `{a,b}` and
-/// `{a->0,b->1}`.
+/// Returns the only values that an option accepts: `a` and `b` from CLI11's descriptions `{a,b}`
+/// and `{a->0,b->1}`.
 std::vector<std::string> choices_of(const CLI::Option& option) {
   const std::string type = option.get_type_name();
   const std::size_t open = type.find('{');

@@ -29,8 +29,8 @@ void add_send_command(CLI::App& app, ExitStatus& status);
 void add_surface_command(CLI::App& app, ExitStatus& status);
 void add_wall_command(CLI::App& app, ExitStatus& status);
 
-/// Each function adds a subcommand that prints a text about all commands of `app`, which must
-/// outlive it.
+/// Each function adds a subcommand that prints a text about all commands of `app`. `app` must
+/// outlive the subcommand.
 void add_completion_command(CLI::App& app);
 void add_manual_command(CLI::App& app);
 

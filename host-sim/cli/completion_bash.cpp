@@ -53,8 +53,8 @@ std::string value_case(const CommandText& command, const ParameterText& option) 
   return fmt::format("    {}) {} ;;\n", fmt::join(patterns, "|"), action);
 }
 
-/// Returns a branch of the script's `case` for a command: its subcommands, the closed sets of its
-/// positionals, and its options.
+/// Returns a branch of the script's `case` for a command: its subcommands, the values that its
+/// positional arguments accept, and its options.
 std::string words_case(const CommandText& command) {
   std::vector<std::string> words = command.subcommands;
   bool takes_files = false;

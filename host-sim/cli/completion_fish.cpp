@@ -15,7 +15,8 @@ std::string quoted_for_fish(const std::string& text) {
   return quoted + "'";
 }
 
-/// Returns the condition of fish that the words so far name `command` and none of its subcommands.
+/// Returns the fish condition that is true if the words so far name `command` and none of its
+/// subcommands.
 std::string condition_of(const CommandText& command) {
   std::string condition;
   std::size_t from = command.path.find(' ');

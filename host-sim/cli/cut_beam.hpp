@@ -30,7 +30,8 @@ struct CutKerf {
 };
 
 /// Reads the record of the call's material, and the known kerf. Throws std::invalid_argument if an
-/// option is given without another option that it requires, and as RecordOptions::record() does.
+/// option is given without another option that it requires, and the exceptions of
+/// RecordOptions::record().
 [[nodiscard]] CutKerf kerf_of(const CutCommandOptions& options);
 
 /// Returns power, feed and passes of the material's entry as keys and values for all cuts.
@@ -44,9 +45,10 @@ void tell_origin(const CutCommandOptions& options,
                  std::vector<std::string>& lines,
                  std::vector<std::string>& notes);
 
-/// Returns the laser of a call. Its full power is that of the call; without one, the greatest of
-/// the material's record; without both, the greatest power in watts that the call gives. If the
-/// call gives only shares of power, the watts are not known. Guesses are appended to `notes`.
+/// Returns the laser of a call. Its full power is the first of these values that is known: the full
+/// power that the call gives, the greatest power in the material's record, the greatest power in
+/// watts that the call gives. If the call gives only shares of power, the watts are not known.
+/// Guesses are appended to `notes`.
 /// @param wishes settings of all cuts, and of layers
 [[nodiscard]] cut::Beam beam_of(const CutCommandOptions& options,
                                 const std::vector<SettingChange>& settings,

@@ -120,8 +120,8 @@ ExitStatus refuse(const CutCommandOptions& options,
   return ExitStatus::kFaults;
 }
 
-/// Returns the settings of a machine with a laser: laser mode, then those of the profile, then
-/// those of the call.
+/// Returns the settings of a machine with a laser in the order in which they apply: laser mode, the
+/// settings of the profile, the settings of the call.
 std::vector<SettingChange> machine_of(const CutCommandOptions& options) {
   std::vector<SettingChange> settings{parse_setting("$32=1", "laser mode")};
   settings.insert(settings.end(), options.machine_settings.begin(), options.machine_settings.end());
@@ -176,8 +176,8 @@ const char* refusal_of(const CutPlan& plan) {
   return "no program is written; --anyway cuts the contours without faults";
 }
 
-/// Returns the requirements of the call for the order. A progress line is shown while it is
-/// searched.
+/// Returns the requirements of the call for the order of cuts. A progress line is shown during the
+/// search for this order.
 cut::OrderWish searched_order(const CutCommandOptions& options) {
   order::OrderProgress progress;
   if (is_terminal(stderr)) {
@@ -194,7 +194,7 @@ cut::OrderWish searched_order(const CutCommandOptions& options) {
 }
 
 /// Writes pictures, program, frame and reports of a job. If the job has faults, the program is
-/// written only if the call requires the contours without faults.
+/// written only if the call requires a program of the contours that have no faults.
 ExitStatus write_job(const CutCommandOptions& options,
                      const CutJob& job,
                      const CutRun& run,
@@ -234,8 +234,8 @@ ExitStatus write_job(const CutCommandOptions& options,
   return status;
 }
 
-/// Refuses a job that leaves the bed. No option of the call overrides this, because the head would
-/// run into the machine's frame.
+/// Refuses a job that leaves the bed. No option of the call overrides this refusal, because the
+/// head would run into the machine's frame.
 ExitStatus refuse_off_the_bed(const CutCommandOptions& options) {
   terminal::print(stderr,
                   "kerfline: no program is written; the job leaves the bed{}\n",
@@ -249,7 +249,8 @@ void take_machine(CutCommandOptions& options, const cut::MachineProfile& machine
   options.machine_settings = machine.settings;
 }
 
-/// Moves a drawing to its position on the machine. Returns the text of place_drawing() about it.
+/// Moves a drawing to its position on the machine. Returns the text in which place_drawing()
+/// describes this move.
 std::string put_to_place(const CutCommandOptions& options,
                          CutInput& input,
                          const std::optional<cut::MachineProfile>& machine) {
@@ -263,7 +264,8 @@ std::string put_to_place(const CutCommandOptions& options,
   return place_drawing(input.drawn, wishes, machine ? &*machine : nullptr, options.import.effort);
 }
 
-/// Returns the plan of all pictures and cuts of a call: in their order, with each pass.
+/// Returns the plan of all pictures and cuts of a call, in the order in which they are driven, with
+/// all passes.
 CutPlan planned(const CutSource& source,
                 const Drawing& drawn,
                 const std::vector<cut::LayerPlan>& layers,

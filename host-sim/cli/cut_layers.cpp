@@ -68,7 +68,8 @@ LayerSettings common_settings(const CutCommandOptions& options, LayerSettings ba
 
 namespace {
 
-/// Returns power and speed as given by layer or call. Without a material both are required.
+/// Returns power and speed as the layer or the call gives them. Without a material, both must be
+/// given.
 cut::Condition given_condition(const LayerSettings& settings, std::uint32_t thickness_um) {
   const char* missing = nullptr;
   if (!settings.feed_mm_min)

@@ -16,8 +16,9 @@ struct CutSource {
   const cut::Beam& beam;
 };
 
-/// Reads the rules for layers of a call. Throws std::invalid_argument naming the option or the line
-/// of the file of a wrong rule. A rule for a layer that the drawing does not have is wrong, too.
+/// Reads the rules for layers of a call. Throws std::invalid_argument that names the option, or the
+/// line of the file, of a wrong rule. A rule for a layer that the drawing does not have is wrong,
+/// too.
 [[nodiscard]] std::vector<cut::LayerRule> layer_rules_of(const CutCommandOptions& options,
                                                          const drawing::Drawing& drawn,
                                                          InputFiles& inputs);
@@ -27,8 +28,8 @@ struct CutSource {
 [[nodiscard]] cut::LayerSettings common_settings(const CutCommandOptions& options,
                                                  cut::LayerSettings base = {});
 
-/// Returns the settings of all cuts, then those of each driven layer. A power may still be a
-/// share. Throws as settings_of_layer().
+/// Returns the settings of all cuts, then those of each driven layer. A power may still be a share
+/// of the full power. Throws the exceptions of settings_of_layer().
 [[nodiscard]] std::vector<cut::LayerSettings> power_wishes(
     const CutCommandOptions& options,
     const drawing::Drawing& drawn,
@@ -41,7 +42,8 @@ struct CutSource {
                                                     const drawing::Drawing& drawn,
                                                     const std::vector<cut::LayerRule>& rules);
 
-/// Returns the plans of the contours for which the shop has rules. Throws as layers_of().
+/// Returns the plans of the contours for which the shop has rules. Throws the exceptions of
+/// layers_of().
 [[nodiscard]] cut::Recipes recipes_of(const CutSource& source,
                                       const drawing::Drawing& drawn,
                                       const std::vector<cut::LayerPlan>& layers,

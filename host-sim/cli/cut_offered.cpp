@@ -75,7 +75,7 @@ void drop_operation(OfferedValues& offered, LayerChoice& choice, const std::stri
   if (!dropped.empty()) choice.not_taken.push_back(fmt::format("{} not, {}", dropped, reason));
 }
 
-/// Returns the use for which power and speed are given, if the layer has this side: `lines`,
+/// Returns the use of a layer's power and speed by the side on which the layer is driven: `lines`,
 /// `filling` or `pictures`.
 std::string_view use_of(cut::Side side) {
   if (side == cut::Side::kFill) return "filling";

@@ -19,7 +19,7 @@ namespace sim {
                                                    const std::vector<cut::LayerRule>& rules);
 
 /// Returns a line for each layer for which the drawing offers settings: the settings that were
-/// taken, and the reasons why others were not. Throws as settings_of_layer().
+/// taken, and the reasons why others were not. Throws the exceptions of settings_of_layer().
 [[nodiscard]] std::vector<std::string> offered_lines(const CutCommandOptions& options,
                                                      const drawing::Drawing& drawn,
                                                      const std::vector<cut::LayerRule>& rules);

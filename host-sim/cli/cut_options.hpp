@@ -24,11 +24,11 @@ class App;
 
 namespace sim {
 
-/// The recipe that a call reads, and the one that it writes.
+/// The recipe that a call reads, and the recipe that it writes.
 struct CutRecipeOptions {
   std::string file;  ///< Recipe to read; empty for none.
   std::string save;  ///< Recipe to write; empty for none.
-  /// Rules of the recipe that was read, which apply before those of the call.
+  /// Rules of the recipe that was read. They apply before the rules of the call.
   std::vector<cut::LayerRule> layers;
 };
 
@@ -46,7 +46,7 @@ struct CutCommandOptions {
   std::string entry;
   /// Keys and values of the material's entry.
   std::vector<std::pair<std::string, std::string>> known;
-  std::string laser;  ///< Laser of this machine; empty if not named.
+  std::string laser;  ///< Name of the machine's laser; may be empty.
   /// Keys and values of LayerSettings for all cuts.
   std::vector<std::pair<std::string, std::string>> common;
   std::vector<std::string> layers;
@@ -57,7 +57,7 @@ struct CutCommandOptions {
   CutOrderOptions order;
   double full_power_w = 0.0;  ///< Full power of the laser; if 0, see beam_of().
   bool constant_power = false;
-  /// Number of the kerf table, if the controller finds the path next to parts.
+  /// Number of the kerf table, if the controller offsets the path by the kerf; otherwise empty.
   std::optional<unsigned> kerf_table{};
   cut::SafetyWishes safety{};
   bool anyway = false;

@@ -29,7 +29,7 @@ void add_cut_order_options(CLI::App& command, CutOrderOptions& options);
 
 /// Returns the requirements for the order of the cuts on a machine with these settings. Throws
 /// std::invalid_argument naming the wrong option or setting.
-/// @param progress called repeatedly while the order is searched; may be empty
+/// @param progress called repeatedly during the search for the order; may be empty
 [[nodiscard]] cut::OrderWish order_wish_of(const CutOrderOptions& options,
                                            const std::vector<SettingChange>& settings,
                                            order::OrderProgress progress);

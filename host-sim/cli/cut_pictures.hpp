@@ -7,15 +7,15 @@
 
 namespace sim {
 
-/// Removes from a drawing all pictures that the rules of a call do not burn, and keeps the digests
-/// of the files of the others.
+/// Removes from a drawing all pictures that the rules of a call do not burn. Keeps the digests of
+/// the files of the remaining pictures in `inputs`.
 void keep_burnt_pictures(const CutCommandOptions& options,
                          const std::vector<cut::LayerRule>& rules,
                          drawing::Drawing& drawn,
                          InputFiles& inputs);
 
-/// Returns the cuts of these pictures, see cut::picture_cuts(). Their rows have one S on each line
-/// if the program is for another controller.
+/// Returns the cuts of the pictures in `drawn`, see cut::picture_cuts(). If the program is for a
+/// controller other than Kerfline, each line of their rows has one S.
 [[nodiscard]] std::vector<cut::Cut> picture_cuts_of(const CutCommandOptions& options,
                                                     const drawing::Drawing& drawn,
                                                     const std::vector<cut::LayerPlan>& layers,

@@ -30,7 +30,8 @@ void add_machine_options(CLI::App& command, CutPlaceOptions& options);
 /// `--copies` and `--copy-gap`.
 void add_cut_place_options(CLI::App& command, CutPlaceOptions& options);
 
-/// Returns the wishes of a call. Throws std::invalid_argument that names the option.
+/// Returns the position, rotation and copies that a call requires. Throws std::invalid_argument
+/// that names the option.
 [[nodiscard]] cut::PlaceWishes place_wishes_of(const CutPlaceOptions& options);
 
 }  // namespace sim

@@ -29,8 +29,8 @@ constexpr const char* kLayersKey = "layers";
 /// Key of `--layers FILE`. The option's own name is already the key of the list of layers.
 constexpr const char* kLayersFileKey = "layers-file";
 
-/// Returns whether an option cannot be part of a recipe: files of the call, and options that are no
-/// setting of a job.
+/// Returns whether an option cannot be part of a recipe, because it names a file of the call or is
+/// no setting of a job.
 bool is_of_the_call(const CLI::Option& option) {
   constexpr std::array<const char*, 4> kNames{"help", "recipe", "save-recipe", "layer"};
   if (option.get_positional() || option.get_lnames().empty()) return true;
@@ -83,8 +83,8 @@ class RecipeReader {
         cut::marked_json(read_text(file_), name_of_input(file_), kRecipeMark, "recipe");
     const std::vector<std::string> keys = keys_of(command_);
     const cut::JsonFields fields{document, name_of_input(file_), "", keys};
-    // Layers are read first: a file of layers in the same recipe is no conflict, whichever key
-    // comes first.
+    // The rules for layers are read first. Thus a file of layers in the same recipe is no conflict,
+    // whichever of the two keys comes first.
     if (document.contains(kLayersKey)) read_layers(document[kLayersKey]);
     for (const auto& [key, value] : document.items()) {
       if (key == kRecipeMark || key == kLayersKey) continue;
@@ -152,7 +152,7 @@ class RecipeReader {
     }
   }
 
-  /// Reads `{"NAME": {"key": value}}`, or a list of such objects with their "name".
+  /// Reads `{"NAME": {"key": value}}`, or a list of objects `{"name": "NAME", "key": value}`.
   void read_layers(const Json& layers) {
     if (!options_.layers_file.empty()) {
       refuse("/layers", "excludes --layers of the call; give --layer instead");
@@ -197,8 +197,8 @@ class RecipeReader {
     options_.recipe.layers.push_back(std::move(rule));
   }
 
-  /// Checks which options require or exclude each other, because the parser has not seen those of
-  /// the recipe.
+  /// Checks the options that require or exclude each other. The parser cannot check them, because
+  /// it has not seen the options of the recipe.
   void expect_needed() const {
     for (const CLI::Option* option : command_.get_options()) {
       if (option->count() == 0 || is_of_the_call(*option)) continue;

@@ -14,7 +14,7 @@ namespace sim {
 
 /// Options of `kerfline cut` for the rules of the shop.
 struct CutRuleOptions {
-  std::vector<std::string> rules;  ///< Texts of rules, which come after those of the file.
+  std::vector<std::string> rules;  ///< Texts of rules. They come after the rules of the file.
   std::string file;
   double mark_percent = 10.0;
 };

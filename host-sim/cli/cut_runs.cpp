@@ -29,9 +29,9 @@ struct SimulatedProgram {
   }
 };
 
-/// Returns the program for the simulated machine. A controller that finds the path next to parts
-/// gets the table of the material, and the watts of its beam. The simulated controller has no other
-/// tables.
+/// Returns the program for the simulated machine. If the controller offsets the path by the kerf,
+/// it gets the kerf table of the material, and the full power of its beam in watts. The simulated
+/// controller has no other kerf tables.
 SimulatedProgram simulated(CutJob job, const CutRun& run, const std::vector<std::string>& heading) {
   SimulatedProgram simulated;
   if (job.beam.kerf_table) {

@@ -33,7 +33,7 @@ struct ProgramCheck {
 
 /// Checks the program on the simulated machine, which has the job's kerf table. Line numbers are
 /// those of the program. A job of more than three hours is read line by line instead, because
-/// simulating its pulses takes long: the same lines are refused, and the same travel applies.
+/// simulating its pulses takes long: the reader refuses the same lines and applies the same travel.
 /// @param name name of the program in faults
 [[nodiscard]] ProgramCheck check_program(const cut::CutJob& job,
                                          const CutRun& run,
@@ -51,8 +51,9 @@ struct EdgeChecks {
 };
 
 /// Simulates the job and measures the edges, once with power that follows the speed and once with
-/// constant power. If the controller finds the path next to the parts, drives it once with power
-/// that keeps the kerf and once with a path that follows it. Prints the results to `told`.
+/// constant power. If the controller offsets the path by the kerf, drives the job once with power
+/// that keeps the kerf constant and once with a path that follows the changing kerf. Prints the
+/// results to `told`.
 [[nodiscard]] EdgeChecks check_edges(const cut::CutJob& job, const CutRun& run, std::FILE* told);
 
 }  // namespace sim

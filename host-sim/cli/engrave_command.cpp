@@ -33,8 +33,8 @@ using engrave::EngraveSettings;
 /// Greatest time of a job that is simulated; the time of longer jobs is estimated.
 constexpr double kMaxPreviewS = 1800.0;
 
-/// Returns the settings of the machine: laser mode, then those of the profile, then those of the
-/// call.
+/// Returns the settings of the machine in the order in which they apply: laser mode, the settings
+/// of the profile, the settings of the call.
 std::vector<SettingChange> machine_settings(const EngraveOptions& options,
                                             const std::optional<cut::MachineProfile>& machine) {
   std::vector<SettingChange> settings{parse_setting("$32=1", "laser mode")};

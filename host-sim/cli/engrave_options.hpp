@@ -57,8 +57,8 @@ void add_engrave_options(CLI::App& command, const std::shared_ptr<EngraveOptions
     const std::optional<cut::MachineProfile>& machine,
     double full_power_s);
 
-/// Returns the raster of a picture in the size of the call. Throws std::invalid_argument if the
-/// size is not given, or if the raster has too many pixels.
+/// Returns the raster of a picture in the size that the call requires. Throws std::invalid_argument
+/// if the size is not given, or if the raster has too many pixels.
 [[nodiscard]] engrave::BurnRaster raster_of(const EngraveOptions& options,
                                             const picture::GreyImage& image);
 

@@ -31,8 +31,8 @@ struct NamedFile {
   FileRole role;
 };
 
-/// Returns `; NAME is still the earlier file` if the file of an output exists already, for the
-/// end of a message that nothing is written. Empty if there is no file, and for devices.
+/// Returns `; NAME is still the earlier file` if the file of an output exists already, for the end
+/// of a message which reports that nothing was written. Empty if there is no file, and for devices.
 [[nodiscard]] std::string stale_note(const std::string& output);
 
 /// Checks the files of a call. Throws std::invalid_argument, naming both options, if an output is

@@ -8,7 +8,7 @@
 
 namespace sim {
 
-/// Reads the input files of one job and keeps the digests of those that decide its program.
+/// Reads the input files of one job. Keeps the digests of the files on which the program depends.
 class InputFiles {
  public:
   /// Creates an object without digests.

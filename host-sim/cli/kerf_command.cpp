@@ -159,8 +159,8 @@ void add_show_command(CLI::App& kerf, ExitStatus&) {
   command->callback([options, with_cuts] { show(*options, *with_cuts); });
 }
 
-/// Prints the speeds that each power permits at a thickness, or those around the given speed.
-/// Returns false if there are none.
+/// Prints the speeds that each power permits at a thickness. If a speed is given, prints only the
+/// powers that permit this speed, with the kerf. Returns false if there are none.
 bool print_region(const MaterialRecord& record,
                   std::uint32_t thickness_um,
                   std::optional<std::uint32_t> speed_um_min) {

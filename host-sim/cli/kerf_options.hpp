@@ -44,7 +44,7 @@ struct CutOptions {
   AcceptanceLimits limits;
   std::string laser{};  ///< Laser of cuts whose file does not name it.
   PersonOptions person{};
-  /// Whether the command also fits the cuts, for which it must know their laser.
+  /// Whether the command also fits a record to the cuts, for which it must know their laser.
   bool asks_for_laser = false;
 
   void add_to(CLI::App& command);
@@ -67,7 +67,8 @@ void add_unit_option(CLI::App& command, std::string& unit);
                                            double value,
                                            double most,
                                            const char* unit);
-/// Return checks for options with such values. Their messages name range and unit.
+/// Return checks for options whose value is a thickness, a power or a speed. Their messages name
+/// range and unit.
 [[nodiscard]] CLI::Validator thickness_range();
 [[nodiscard]] CLI::Validator power_range();
 [[nodiscard]] CLI::Validator speed_range();

@@ -118,7 +118,7 @@ void write_coupon(const CalibrateOptions& options) {
   if (options.powers_w.empty() && options.speeds_mm_min.empty()) {
     const MaterialRecord record = options.record.record();
     plan.slots = default_slots(record, thickness_option(options.thickness_mm));
-    // Only a calibrated record is of this machine's laser, with which the slots are cut.
+    // Only a calibrated record names this machine's laser, with which the slots are cut.
     if (plan.laser.empty() && record.calibrated) plan.laser = record.laser;
     if (plan.gas_pressure_mpa <= 0.0) plan.gas_pressure_mpa = record.gas_pressure_mpa;
   } else {
@@ -138,8 +138,8 @@ void write_coupon(const CalibrateOptions& options) {
   terminal::print("{}: {} slots\n", options.program, plan.slots.size());
 }
 
-/// Returns the cuts of the data base that have the material, laser and gas pressure of any of
-/// `measured`.
+/// Returns the cuts of the data base that have the same material, laser and gas pressure as at
+/// least one of the cuts `measured`.
 std::vector<Experiment> cuts_like(const std::vector<Experiment>& measured,
                                   const KnowledgeBase& base,
                                   const std::string& material) {

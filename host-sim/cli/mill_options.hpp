@@ -4,7 +4,7 @@
 
 #include "host-sim/pocket/mill_program.hpp"
 
-namespace CLI {  // NOLINT(readability-identifier-naming): theirs.
+namespace CLI {  // NOLINT(readability-identifier-naming): the library's name.
 class App;
 }
 

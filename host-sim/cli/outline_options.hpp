@@ -3,7 +3,7 @@
 #include "host-sim/contour/outline.hpp"
 #include "host-sim/import/drawing.hpp"
 
-namespace CLI {  // NOLINT(readability-identifier-naming): theirs.
+namespace CLI {  // NOLINT(readability-identifier-naming): the library's name.
 class App;
 }
 

@@ -81,8 +81,8 @@ bool report_unreached(const PocketCommandOptions& options, const std::vector<Con
   return count != 0;
 }
 
-/// Returns the connected areas of a terrace. If a stock is given, one area is that around the
-/// stock, together with the pockets that are open to it.
+/// Returns the connected areas of a terrace. If a stock is given, one of the areas is the
+/// surroundings of the stock, together with the pockets that are open to them.
 std::vector<Contour> areas_to_mill(const Terrace& terrace, const PocketCommandOptions& options) {
   const std::optional<pocket::StockBox> stock = options.stock_box();
   if (!stock) return pocket::areas_of(terrace.contours);
@@ -133,8 +133,8 @@ class PocketMiller {
     milled_.levels = std::max(milled_.levels, levels);
   }
 
-  /// Mills the areas of a terrace into which the tool fits. Adds the number of its levels to
-  /// `levels`.
+  /// Mills the areas of a terrace into which the tool fits. Adds the number of the terrace's levels
+  /// to `levels`.
   std::vector<PathRows> mill_areas(const Terrace& terrace, std::uint32_t& levels) {
     planner_.set_depth(terrace.to_mm - terrace.from_mm);
     std::vector<PathRows> paths;

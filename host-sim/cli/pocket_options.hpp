@@ -11,7 +11,7 @@
 #include "host-sim/pocket/strategy.hpp"
 #include "host-sim/pocket/v_carving.hpp"
 
-namespace CLI {  // NOLINT(readability-identifier-naming): theirs.
+namespace CLI {  // NOLINT(readability-identifier-naming): the library's name.
 class App;
 }
 
@@ -59,7 +59,7 @@ struct PocketCommandOptions {
   /// Number of the tool whose radius compensates the passes along walls; 0 for no compensation.
   std::uint32_t wear_tool = 0;
   std::vector<double> stock{};  ///< Least X and Y, greatest X and Y, mm; empty if not given.
-  double rest_of_mm = 0.0;      ///< Diameter of the tool that milled before; 0 if there was none.
+  double rest_of_mm = 0.0;      ///< Diameter of the former, larger tool; 0 if there was none.
   double v_angle_deg = 0.0;     ///< Angle of the V tool; 0 for no V carving.
   bool anyway = false;
   pocket::MillSettings mill;

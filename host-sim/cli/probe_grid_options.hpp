@@ -27,7 +27,7 @@ struct ProbeGridOptions {
   double retract_mm = surface::ProbeProgram{}.retract_mm;
   double travel_feed = surface::ProbeProgram{}.travel_feed;
   std::optional<double> tip_mm;
-  std::string read;  ///< Log whose answers are read; if empty, a program is written.
+  std::string read;  ///< Log with the answers to read; if empty, a program is written.
   /// File of the program that probed the points; its heading contains the options of the grid.
   std::string program;
   std::string offset;  ///< Work zero `X,Y,Z` in machine coordinates, mm; empty if not given.

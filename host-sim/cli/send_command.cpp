@@ -179,7 +179,8 @@ ExitStatus ask_until_agreed(const SendCommandOptions& options, Line& line, Answe
   AgreedAnswers agreed{options.resume};
   const SendOptions send{.checked = true, .takes_up = options.resume, .rests_in_alarm = true};
   const auto count = [&agreed](Sender& sender, std::string_view answer) {
-    // Before this state, a held job may still be reset, which changes the state.
+    // Before kBeginning, the sender may still reset a held job. The reset changes the controller's
+    // state, so earlier answers do not count.
     if (sender.state() < Sender::State::kBeginning) return;
     agreed.read(answer);
     if (answer.starts_with("[GC:")) sender.ask_full_report();
@@ -220,7 +221,8 @@ void number_approach(std::vector<JobLine>& lines, SendOptions& send) {
   // Numbers that are kept free for an approach, which has about ten lines.
   constexpr std::uint32_t kFreeNumbers = 100;
   if (send.takes_up) {
-    // Each line has number 1: a later number could be the line in which the beam comes on again.
+    // Each line of the approach has the number 1. A greater number could be that of the line in
+    // which the beam comes on again.
     send.max_number = 1;
   } else {
     // If the approach is interrupted, the controller reports the first line's number, which no job
@@ -265,8 +267,8 @@ void warn_of_stale_inputs(const SendCommandOptions& options,
   }
 }
 
-/// Checks the program as the page does: prints lines that the controller would refuse, or that
-/// leave the travel.
+/// Checks the program in the same way as the browser page does: prints lines that the controller
+/// would refuse, or that leave the travel.
 ExitStatus judge(const SendCommandOptions& options,
                  const ProgramText& program,
                  const Standpoint& standpoint) {
@@ -322,7 +324,7 @@ ExitStatus send_job(const SendCommandOptions& options, Line& line, std::string f
   return status;
 }
 
-/// Checks all that does not require the controller, then opens the port and sends the job.
+/// Makes all checks that do not require the controller, then opens the port and sends the job.
 ExitStatus send(const SendCommandOptions& options) {
   std::string file = read_text(options.file);
   {

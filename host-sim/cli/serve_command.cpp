@@ -189,8 +189,9 @@ void announce(const Reception& reception) {
   }
 }
 
-/// Returns all settings of the call. A --speed above 1 makes the machine's time run faster, but not
-/// the sender. So the permitted silence of the sender is multiplied by this factor.
+/// Returns all settings of the call. A --speed above 1 makes the time of the machine run faster,
+/// but not the time of the sender. Therefore the time for which the sender may be silent is
+/// multiplied by this factor.
 std::vector<SettingChange> all_settings(const ServeOptions& options) {
   std::vector<SettingChange> changes =
       settings_of(options.machine, options.settings_file, options.set);

@@ -18,8 +18,8 @@ namespace sim {
 void prepare_standard_streams() {
   for (const int number : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
     if (hal::host::control_file(number, F_GETFD) >= 0) continue;
-    // Opening /dev/null in the opposite direction yields a stream whose use fails. It gets the
-    // lowest free number, which is that of the closed stream.
+    // Opening /dev/null in the opposite direction yields a stream whose use fails. The stream gets
+    // the lowest free number, which is the number of the closed stream.
     const int mode = number == STDIN_FILENO ? O_WRONLY : O_RDONLY;
     if (hal::host::open_file("/dev/null", mode) != number) ::_exit(2);
   }

@@ -71,7 +71,8 @@ void place(std::vector<Eigen::Vector3d>& points, const SurfaceCommandOptions& op
   for (Eigen::Vector3d& point : points) point += way;
 }
 
-/// Returns the height of rapids. Throws std::invalid_argument for a height within path or surface.
+/// Returns the height of rapids. Throws std::invalid_argument for a height that is not above the
+/// path and the surface.
 double safe_height_of(const SurfaceCommandOptions& options, double top_mm) {
   constexpr double kAboveAll = 5.0;
   if (!options.safe_mm) return std::ceil(top_mm) + kAboveAll;

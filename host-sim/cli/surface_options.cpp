@@ -21,8 +21,8 @@ namespace {
 constexpr double kMinMm = 1.0e-6;
 constexpr double kMinSurfaceToleranceMm = 1.0e-4;
 constexpr double kGreatestSurfaceToleranceMm = 5.0;
-/// Least scallop as a multiple of the tolerance. Half of this scallop is then left for the distance
-/// of the rows.
+/// Least scallop as a multiple of the tolerance. At least half of the scallop is then available for
+/// the distance of the rows.
 constexpr double kMinScallopTolerances = 2.0;
 
 void add_reading_options(CLI::App& command, SurfaceCommandOptions& options) {

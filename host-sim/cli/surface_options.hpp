@@ -15,7 +15,7 @@
 #include "host-sim/surface/path/row_path.hpp"
 #include "host-sim/surface/read_surface.hpp"
 
-namespace CLI {  // NOLINT(readability-identifier-naming): theirs.
+namespace CLI {  // NOLINT(readability-identifier-naming): the library's name.
 class App;
 }
 
@@ -32,7 +32,7 @@ enum class SurfacePaths : std::uint8_t {
 /// The stock around a surface.
 struct SurfaceStock {
   std::optional<double> top_mm;  ///< Top; empty for the surface's highest point.
-  /// Distance from the surface's box to the edge, mm; empty if the edge is not known.
+  /// Distance from the surface's box to the stock's edge, mm; empty if not known.
   std::optional<double> margin_mm;
 };
 
@@ -48,9 +48,9 @@ struct PencilOptions {
   double angle_deg = 20.0;  ///< Least angle by which the surface bends in a valley.
 };
 
-/// A question for the heights of the tool's tip at given points.
+/// A query for the heights of the tool's tip at given points.
 struct HeightQuery {
-  std::string points;   ///< File of the points; empty for no question.
+  std::string points;   ///< File of the points; empty for no query.
   std::string heights;  ///< File for the heights; empty for the standard output.
 };
 
@@ -66,7 +66,7 @@ struct SurfaceCommandOptions {
   double tolerance_mm = 0.01;
   /// Step-over, mm; 0 for a step-over by the scallop, or a tenth of the tool's diameter.
   double step_mm = 0.0;
-  double scallop_mm = 0.0;          ///< Greatest height of scallops; 0 for any.
+  double scallop_mm = 0.0;          ///< Greatest height of scallops; 0 for no limit.
   std::optional<double> angle_deg;  ///< Angle of the rows; empty for along X.
   double allowance_mm = 0.0;
   double margin_mm = 0.0;
@@ -115,7 +115,7 @@ void add_rough_options(CLI::App& command, SurfaceCommandOptions& options);
 void check_rough_options(const SurfaceCommandOptions& options);
 
 /// Returns the step-over of roughing in levels, mm: that of the options, or a step-over that suits
-/// the tool. Throws std::invalid_argument if it would leave stock between passes.
+/// the tool. Throws std::invalid_argument if the step-over would leave stock between passes.
 [[nodiscard]] double rough_step_of(const SurfaceCommandOptions& options,
                                    const stock::Cutter& cutter);
 

@@ -13,8 +13,8 @@
 namespace sim {
 namespace {
 
-/// Returns the positions of the tip over all points of a grid. The tool has the surface under it at
-/// each of them.
+/// Returns the positions of the tip over all points of a grid. The surface is under the tool at
+/// each of these positions.
 surface::PointGrid tips_over(const surface::PointGrid& grid, const stock::Cutter& cutter) {
   const surface::DropCutter dropped{triangulated(grid), profile_of(cutter)};
   surface::DropCutter::Hint hint;

@@ -15,7 +15,7 @@ namespace sim {
 struct PatchOptions {
   std::string file;     ///< File for the patches; empty for none.
   bool smooth = false;  ///< Whether the path follows the patches.
-  /// Whether to count flat pieces as paper 4 does, in place of a program.
+  /// Whether to count flat pieces as paper 4 does, instead of writing a program.
   bool like_paper = false;
   /// Tolerance of the fit, mm; 0 stands for 1 mm if `like_paper`, otherwise for the path's
   /// tolerance.

@@ -123,8 +123,8 @@ void print_vanished(const std::string& file, const std::vector<Vanished>& found)
   }
 }
 
-/// Returns an area for the tool's centre, such that the tool's rim reaches the boundary from one
-/// side.
+/// Returns the area for the tool's centre in which the tool's rim reaches the boundary from one
+/// side. It is `area` offset by `distance_mm`.
 Contour moved(const std::string& file, const Contour& area, double distance_mm) {
   ContourOffset offsetter;
   try {

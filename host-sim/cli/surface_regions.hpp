@@ -8,7 +8,7 @@
 #include "host-sim/contour/contour_offset.hpp"
 #include "host-sim/surface/path/row_path.hpp"
 
-namespace CLI {  // NOLINT(readability-identifier-naming): theirs.
+namespace CLI {  // NOLINT(readability-identifier-naming): the library's name.
 class App;
 }
 

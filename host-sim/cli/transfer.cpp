@@ -150,7 +150,7 @@ void Transfer::attend_operator() {
   if (*key == 'q') sender_.abort();
 }
 
-/// Reports for what the machine waits, or ends the job if the call requires that.
+/// Prints the event for which the machine waits, or ends the job if the call requires that.
 void Transfer::attend_wait() {
   if (sender_.state() == Sender::State::kStopping) return;
   const std::string words = wait_.attend(sender_.machine_state(), sender_.file_line(), line_.now());

@@ -13,7 +13,7 @@ namespace sim {
 /// @param unit may be empty
 [[nodiscard]] CLI::Validator in_range(double least, double most, const char* unit);
 
-/// Returns the same check for a number without a fraction.
+/// Returns a check like in_range(), but for a number without a fraction.
 [[nodiscard]] CLI::Validator in_whole_range(std::int64_t least,
                                             std::int64_t most,
                                             const char* unit = "");

@@ -35,8 +35,8 @@ namespace sim {
 namespace {
 
 constexpr double kRadiansPerDegree = std::numbers::pi / 180.0;
-/// Reserve in the greatest angle between a drawn and a carved wall, beyond half angle and heat,
-/// degrees.
+/// Reserve in the limit of the angle between a drawn and a carved wall, degrees. The limit is the
+/// sum of the beam's half angle, the angle by heat and this reserve.
 constexpr double kBurnReserveDeg = 5.0;
 
 constexpr const char* kTaperFooter =
@@ -61,7 +61,7 @@ std::vector<NamedStrokes> read_beams(const CarveOptions& options) {
   return beams;
 }
 
-/// Returns the box around part and tips.
+/// Returns the box around the part and the tips of all beams.
 Eigen::AlignedBox3d box_of(const surface::Mesh& part, const std::vector<NamedStrokes>& beams) {
   Eigen::AlignedBox3d box;
   for (const Eigen::Vector3d& point : part.points) box.extend(point);

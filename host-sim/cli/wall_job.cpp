@@ -105,7 +105,8 @@ WallJob job_of(const WallOptions& options, const surface::Mesh& part, InputFiles
   WallJob job;
   job.layers = layers_of(options, part, inputs);
   const wall::Obstacles obstacles{part};
-  // A tip at the waist's distance from a wall counts as touching it, because the waist does.
+  // A tip that is no farther from a wall than `waist_mm` counts as touching the wall, because the
+  // waist of the beam touches it.
   const wall::Obstacles touched{part, wall::kTouchMm + asked.strokes.waist_mm};
   const wall::BeamFinder finder{obstacles,
                                 touched,

@@ -8,8 +8,8 @@
 namespace sim {
 
 /// The winding number of a loop around a point: how often it turns around the point
-/// counter-clockwise. Lists of these are in the order of the loops and have no entries with 0
-/// turns.
+/// counter-clockwise. Lists of LoopTurns are in the order of the loop numbers and have no entries
+/// with 0 turns.
 struct LoopTurns {
   std::uint32_t loop = 0;
   int turns = 0;

@@ -9,7 +9,7 @@ namespace sim {
 namespace {
 
 // The value 4 of $INSUNITS stands for mm. Readers of release 12 do not know this variable and skip
-// it. Later readers use it.
+// it. Readers of later releases use it.
 constexpr std::string_view kDxfHead =
     "0\nSECTION\n2\nHEADER\n9\n$ACADVER\n1\nAC1009\n9\n$INSUNITS\n70\n4\n0\nENDSEC\n"
     "0\nSECTION\n2\nENTITIES\n";

@@ -15,8 +15,8 @@
 namespace sim {
 namespace {
 
-/// Returns whether a text is a drawing. A text that begins with a line of one whole number is a
-/// DXF, because such a line cannot be a vertex of contours in text.
+/// Returns whether a text is a drawing. A text whose first line is a single whole number is a DXF,
+/// because such a line cannot be a vertex of contours in text.
 bool is_drawing(std::string_view text) {
   constexpr std::string_view kByteOrder = "\xEF\xBB\xBF";
   constexpr std::string_view kDigits = "0123456789";

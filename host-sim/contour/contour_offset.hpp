@@ -49,16 +49,16 @@ class NoOffset : public std::runtime_error {
 /// the next contour.
 class ContourOffset {
  public:
-  /// Greatest number of points where elements of the offset cross or touch. This many require 1.4
-  /// GB of storage.
+  /// Greatest number of points where elements of the offset cross or touch. This number requires
+  /// 1.4 GB of storage.
   static constexpr std::size_t kMaxMeetings = 8'000'000;
 
   explicit ContourOffset(std::size_t max_meetings = kMaxMeetings) : max_meetings_{max_meetings} {}
 
   /// Returns the offset of loops by a distance. Loops that touch or cross may have an offset that
-  /// does not close or that loses material. The offset of the outlines of their material is then
-  /// returned. The view is valid until the next call. Throws std::invalid_argument for numbers that
-  /// are not finite, and NoOffset if there is no offset.
+  /// does not close or that loses material. In this case, the function returns the offset of the
+  /// outlines of their material. The view is valid until the next call. Throws
+  /// std::invalid_argument for numbers that are not finite, and NoOffset if there is no offset.
   cnc::contour::ContourView<double> offset(const cnc::contour::ContourView<double>& input,
                                            double distance_mm);
 

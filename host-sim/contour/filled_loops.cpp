@@ -9,7 +9,7 @@ namespace sim {
 namespace {
 
 /// Greatest distance between points that count as one point, mm. If the resolution of the
-/// coordinates is coarser, it is used instead.
+/// coordinates is coarser, this resolution is used instead.
 constexpr double kSamePointMm = 1.0e-7;
 
 bool is_material(const Windings& windings) {

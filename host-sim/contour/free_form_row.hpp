@@ -8,8 +8,8 @@
 
 namespace sim {
 
-/// A row of shapes of a drawing, each of which begins at the end of the previous one, as a single
-/// curve for the fit of arcs. The spans of the curve are those of all shapes.
+/// A row of shapes of a drawing as a single curve for the fit of arcs. Each shape begins at the end
+/// of the previous shape. The spans of the curve are the spans of all shapes.
 class FreeFormRow final : public cnc::contour::PlaneCurve {
  public:
   /// @pre the row is not empty, and the shapes outlive this object

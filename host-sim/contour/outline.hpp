@@ -46,15 +46,16 @@ struct FittedContour {
 /// @pre the tolerance is within its limits
 [[nodiscard]] FittedContour arcs_of(const drawing::DrawnContour& contour,
                                     const OutlineOptions& options);
-/// Returns exactly the same arcs as arcs_of() without `known`, but fits a row of curves that is
-/// repeated only once.
+/// Returns exactly the same arcs as arcs_of() without `known`, but fits each row of curves only
+/// once, even if it is repeated.
 /// @param known rows of earlier contours, to which the rows of this contour are added; must be used
 /// by one thread only
 [[nodiscard]] FittedContour arcs_of(const drawing::DrawnContour& contour,
                                     const OutlineOptions& options,
                                     KnownRows& known);
 /// Greatest change of direction that counts as smooth, radians. Control points that are rounded to
-/// three decimals cause such corners where the author of the drawing meant none.
+/// three decimals cause changes of direction up to this size where the author of the drawing meant
+/// none.
 inline constexpr double kDrawnSmooth = 0.01;
 
 /// The closed contours of a drawing as lines and arcs.

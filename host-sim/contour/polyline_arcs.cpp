@@ -11,8 +11,8 @@ namespace {
 
 using drawing::Place;
 
-/// Share of the tolerance that is allowed at the checked points of the chords, because the
-/// deviation between these points may be larger.
+/// Greatest deviation at the checked points of the chords, as a share of the tolerance. It is below
+/// 1, because the deviation between these points may be larger.
 constexpr double kLooked = 0.97;
 
 /// Returns the bulge of the arc from `from` through `middle` to `to`; nothing if the arc exceeds
@@ -77,7 +77,7 @@ std::optional<double> bulge_along(std::span<const Place> places, double toleranc
       if (arc.distance_of(place) > most) return std::nullopt;
     }
     // An arc of at most half a turn always advances along its chord and stays on one side of it.
-    // The points near the arc must do the same.
+    // The row of points must do the same, within the tolerance.
     const double next = drawing::dot(places[i] - from, way);
     const double left = drawing::cross(way, places[i] - from) / way.norm();
     if (next < along || std::copysign(left, left * *bulge) > most) return std::nullopt;

@@ -39,7 +39,7 @@ void add_loop(const std::vector<ContourVertex>& loop, Contour& to) {
 Contour simple_loops(const cnc::contour::ContourView<double>& loops) {
   Contour simple;
   std::vector<ContourVertex> open;
-  // For each vertex of `open`, its index, keyed by the coordinates of the vertex.
+  // Index in `open` of each of its vertices, keyed by the coordinates of the vertex.
   std::map<std::pair<double, double>, std::size_t> places;
   for (std::size_t loop = 0; loop < loops.loop_ends.size(); ++loop) {
     open.clear();

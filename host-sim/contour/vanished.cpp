@@ -152,7 +152,7 @@ std::vector<Vanished> vanished(const Contour& part,
     const Vanished whole{.is_hole = size.area_mm2 < 0.0, .begin = strokes.front().from};
     if (result.loop_ends.empty() || shrinks_to_nothing(strokes, size, distance_mm, offsetter)) {
       // If no material is left, a growing hole disappears together with the material around it. In
-      // this case the outer loop has vanished, and not the hole.
+      // this case the outer loop counts as vanished, and the hole does not.
       const bool goes_with_loop = result.loop_ends.empty() && whole.is_hole && distance_mm < 0.0;
       if (!goes_with_loop) found.push_back(whole);
       continue;

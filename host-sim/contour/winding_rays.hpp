@@ -11,8 +11,9 @@ namespace sim {
 
 /// Computes the winding number of each loop on both sides of each edge. The edges between two
 /// points where loops meet form a row, and a ray is cast from one edge of each row. A piece on top
-/// of that edge counts by its direction. Any other piece counts by the sides of its chord and of
-/// its circle on which the ray begins.
+/// of the edge from which the ray is cast counts by the direction of the piece. Whether the ray
+/// crosses any other piece follows from the sides of its chord and of its circle on which the ray
+/// begins.
 class WindingRays {
  public:
   /// Creates an object that refers to its arguments, which must outlive it.

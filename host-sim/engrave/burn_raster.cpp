@@ -12,7 +12,8 @@ namespace sim::engrave {
 namespace {
 
 /// The pixels of a picture that one pixel of the raster averages along a row or a column: index of
-/// the first pixel, and the shares of this pixel and the following ones.
+/// the first pixel of the picture, and the shares of this pixel and of the following pixels in the
+/// mean.
 struct Weight {
   std::size_t from = 0;
   std::vector<float> shares{};

@@ -139,7 +139,8 @@ class RowWriter {
     return way_ < 0.0 ? from - index : from + index;
   }
 
-  /// Returns the end of the pixels that fit into one line. The line ends earlier at a long run.
+  /// Returns the index after the last pixel that fits into the line which begins at `begin`. The
+  /// line ends earlier at a long run.
   [[nodiscard]] std::size_t end_of_cluster(std::size_t begin) const {
     std::size_t end = begin;
     std::size_t characters = 0;

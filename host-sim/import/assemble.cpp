@@ -12,12 +12,13 @@
 namespace sim::drawing {
 namespace {
 
-// Least mean width of a contour that has an area, mm. A narrower contour is narrower than any beam,
-// so it is treated as a line that is drawn there and back.
+// Smallest mean width at which a closed contour counts as an area, mm. A contour below this width
+// is narrower than any beam, and is treated as a line that is drawn forth and back.
 constexpr double kMinWidthMm = 0.001;
 
-// Greatest number of points of all outlines together. This many points take a third of a gigabyte.
-// They suffice for more than a hundred thousand holes with a diameter of a millimetre.
+// Greatest number of points of all outlines together. This number of points takes a third of a
+// gigabyte of memory. It suffices for more than a hundred thousand holes with a diameter of a
+// millimetre.
 constexpr std::size_t kMaxPlaces = 20'000'000;
 
 std::vector<Piece> pieces_of(Sketch& sketch) {
@@ -46,8 +47,8 @@ std::vector<Piece> pieces_of(Sketch& sketch) {
   return pieces;
 }
 
-/// Returns the fault of a closed contour whose path runs to and fro so closely that `width_mm`, its
-/// mean width, is smaller than any beam.
+/// Returns the fault of a closed contour whose mean width `width_mm` is smaller than any beam,
+/// because its path runs forth and back along nearly the same line.
 Fault dense(const Piece& piece, double width_mm) {
   const DrawnContour& contour = piece.contour;
   return {
@@ -62,9 +63,9 @@ Fault dense(const Piece& piece, double width_mm) {
       "it is left out; simplify it, or leave it open to draw a line"};
 }
 
-/// Reports a closed contour without area. If its outline is painted, the contour is visible as a
-/// line and is kept as an open contour. Otherwise nothing of it is visible. Returns whether the
-/// contour is kept.
+/// Reports a closed contour without area as a line or as left out. If its outline is painted, the
+/// contour is visible as a line and is kept as an open contour. Otherwise the contour is not
+/// visible, and is dropped. Returns whether the contour is kept.
 bool keep_as_line(Sketch& sketch, Piece& piece) {
   const Place& place = piece.outline.front();
   const std::string reason = "the contour is closed and has no area";

@@ -106,8 +106,8 @@ class ClbReader {
     if (settings == 0) note(entry, "the entry has no CutSetting and is left out");
   }
 
-  /// Returns the thickness of an entry; nothing if the entry has none, for which a library writes
-  /// -1.
+  /// Returns the thickness of an entry; nothing if the entry has none. A library marks a missing
+  /// thickness by -1.
   std::optional<double> thickness_of(const pugi::xml_node& entry) {
     const std::string text = attribute_of(entry, {"Thickness"});
     if (text.empty()) return {};

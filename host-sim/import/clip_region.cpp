@@ -58,8 +58,8 @@ bool is_on_edge(const ClipRegion& clip, const Place& place) {
   return on_edge;
 }
 
-/// Appends the positions at which a chord crosses edges of a clip, as shares of the length of the
-/// chord from `from`.
+/// Appends the positions at which a chord crosses edges of a clip. Each position is the distance
+/// from `from`, as a share of the chord's length.
 void meet(const ClipRegion& clip, const Place& from, const Place& to, std::vector<double>& shares) {
   const Place way = to - from;
   each_edge(clip, [&](const Place& a, const Place& b) {
@@ -138,7 +138,7 @@ bool covers_edge(const std::vector<Place>& chords, FillRule rule, const ClipRegi
 SightOfShapes ClipComparison::compare(const std::vector<Shape>& shapes,
                                       const ClipRegions& clips,
                                       std::optional<FillRule> fill) {
-  // Sketch::add() refuses shapes that are too far away, and reports that reason.
+  // Shapes beyond kFarthestMm are not compared: Sketch::add() refuses them and reports the reason.
   if (clips.empty() || shapes.empty() || !are_near(shapes)) return {};
   const std::vector<Place> chords = outline_of(shapes, kClipChordMm);
   for (const auto& clip : clips) {

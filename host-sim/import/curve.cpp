@@ -6,7 +6,7 @@
 namespace sim::drawing {
 namespace {
 
-// Least height of an arc above its chord, mm. Flatter arcs become lines. The height is a hundredth
+// Least height of an arc above its chord, mm. Flatter arcs become lines. This bound is a hundredth
 // of the finest step of a machine.
 constexpr double kFlatMm = 1.0e-6;
 

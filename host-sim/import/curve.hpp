@@ -51,7 +51,7 @@ struct Nurbs {
   std::size_t degree;
   std::vector<Place> points;
   std::vector<double> weights;  ///< Weight of each control point, above 0.
-  /// Knots in ascending order; their number is that of the points + degree + 1. Knots may repeat.
+  /// Knots in ascending order; their number is the number of points + degree + 1. Knots may repeat.
   std::vector<double> knots;
   std::vector<std::size_t> spans;  ///< Indices of the knots at which spans begin.
 };

@@ -62,8 +62,8 @@ double chords_of(double radius, double sweep, double tolerance_mm) {
 
 /// Appends points along an elliptical arc, without its end. The ellipse is the image of a unit
 /// circle under a map that stretches by at most `stretch`, and its chords are the images of the
-/// circle's chords. Their distance from the ellipse is therefore at most that of the chords of a
-/// circle with the radius `stretch` from this circle.
+/// circle's chords. Their distance from the ellipse is therefore at most the distance between a
+/// circle with the radius `stretch` and its chords.
 void flatten_turn(const Ellipse& turn,
                   double stretch,
                   double tolerance_mm,

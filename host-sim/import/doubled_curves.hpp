@@ -14,8 +14,8 @@ namespace sim::drawing {
 /// Converts equal Bézier curves to equal arcs at all points of the drawing, in either direction.
 ///
 /// Arcs are normally fitted to whole rows of curves. A curve that is drawn twice, with different
-/// neighbours in its row, would get different arcs each time. Areas about a micrometre wide, which
-/// the drawing does not have, would arise between these arcs, and coincident lines would not
+/// neighbours in its row, would get different arcs each time. Between these arcs, there would be
+/// areas about a micrometre wide that the drawing does not have, and coincident lines would not
 /// cancel.
 class DoubledCurves {
  public:
@@ -29,8 +29,8 @@ class DoubledCurves {
                                        KnownRows& rows);
 
  private:
-  /// Coordinates of the four control points in units of 1e-7 mm, from the end of the curve that
-  /// sorts first.
+  /// Coordinates of the four control points in units of 1e-7 mm. The list begins at the end point
+  /// that is first in sorting order.
   using Key = std::array<std::int64_t, 8>;
 
   struct Known {

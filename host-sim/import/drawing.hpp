@@ -17,7 +17,8 @@ namespace sim::drawing {
 /// values that the user does not give.
 struct OfferedSettings {
   std::string kind{};  ///< Kind of the setting, as the project spells it: Cut, Scan, Image …
-  /// Power as a share of full power, 0…1. If the project gives a range, its upper end.
+  /// Power as a share of full power, 0…1. If the project gives a range, this is the upper end of
+  /// the range.
   std::optional<double> power_share{};
   /// Power while the head is at rest, as a share of full power, 0…1.
   std::optional<double> min_power_share{};
@@ -37,8 +38,8 @@ struct OfferedSettings {
 /// A layer, by which a user sorts a drawing. Contours are joined only within one layer.
 struct Layer {
   std::string name;  ///< Name of the DXF layer, the labelled SVG group or the part; may be empty.
-  /// Colour. SVG: the colour of the stroke, or of the fill if there is no stroke, as written. DXF:
-  /// `ACI n` or `#rrggbb`.
+  /// Colour of the layer. SVG: the colour of the stroke or, if there is no stroke, of the fill, as
+  /// the file writes it. DXF: `ACI n` or `#rrggbb`.
   std::string colour;
   std::optional<OfferedSettings> offered{};
   auto operator<=>(const Layer&) const = default;
@@ -131,8 +132,8 @@ struct DrawnContour {
   std::optional<std::size_t> parent;
   /// Number of an earlier contour, of another layer, that runs along the same path.
   std::optional<std::size_t> lies_on;
-  /// Number of the innermost closed contour, of any part, around this contour. If this contour is
-  /// open, the contour that surrounds the greatest share of it.
+  /// Number of the innermost closed contour, of any part, around this contour. For an open contour,
+  /// the number of the contour that surrounds the greatest share of it.
   std::optional<std::size_t> lies_in;
   /// For an open contour: numbers of the innermost contours around its points, in ascending order.
   std::vector<std::size_t> runs_through;
@@ -161,10 +162,10 @@ struct Stock {
   bool keeps_skeleton = false;  ///< True if the stock around the parts stays in one piece.
 };
 
-/// The order in which the parts of a sheet file are cut.
+/// The order in which the parts of a sheet file are cut, as a rank for each part.
 struct PartTurns {
-  /// Turn of each part, indexed by Entity::part. Parts with lower turns are cut first. If empty,
-  /// the parts may be cut in any order.
+  /// Rank of each part in the order of cutting, indexed by Entity::part. Parts with lower ranks are
+  /// cut first. If empty, the parts may be cut in any order.
   std::vector<std::size_t> of_part{};
   /// True if the file lists the parts in the order of cutting; false if each part names the parts
   /// after which it is cut.
@@ -184,7 +185,7 @@ struct Drawing {
   /// The first kMaxFaults faults, in the order in which they were found.
   std::vector<Fault> faults;
   std::size_t more_faults = 0;  ///< Number of faults that were found but are not listed.
-  std::size_t more_lines = 0;  ///< Number of open contours (Fault::is_of_line) that are not listed.
+  std::size_t more_lines = 0;   ///< Number of unlisted open contours (Fault::is_of_line).
 
   [[nodiscard]] bool has_errors() const;
 };

@@ -17,8 +17,8 @@ struct NamedUnit {
   double mm;
 };
 
-// The units, the most likely ones first. A unit of 72 or 90 dpi is the point or the pixel of old
-// programs.
+// The units, the most likely ones first. 72dpi is the typographic point, and 90dpi is the pixel of
+// old drawing programs.
 constexpr auto kDrawingUnits = std::to_array<NamedUnit>({{"mm", 1.0},
                                                          {"inch", 25.4},
                                                          {"cm", 10.0},

@@ -42,7 +42,8 @@ bool same_chords(const Piece& piece, const Piece& other, double tolerance, Budge
          std::ranges::equal(piece.outline, other.outline, near);
 }
 
-/// The pieces with which each piece is compared: those of the same layer, or those of all layers.
+/// The pieces with which each piece is compared: the pieces of the same layer, or the pieces of all
+/// layers.
 enum class Among : std::uint8_t { kLayer, kAll };
 
 /// Finds earlier pieces that run along the path of a piece. The pieces are sorted into cells by the
@@ -84,7 +85,7 @@ class PieceLookup {
            std::abs(a.length_mm - b.length_mm) <= 4.0 * tolerance_ + 0.01 * a.length_mm &&
            (same_chords(piece, other, tolerance_, budget_) ||
             (runs_along(piece, other, tolerance_, budget_) &&
-             // Each piece must run along the other.
+             // Both directions are checked: each piece must run along the other one.
              // NOLINTNEXTLINE(readability-suspicious-call-argument)
              runs_along(other, piece, tolerance_, budget_)));
   }

@@ -31,7 +31,7 @@ void take_percent_code(std::string_view& rest, DxfWords& words) {
     const auto [stop, error] =
         std::from_chars(digits.data(), digits.data() + digits.size(), letter);
     size = 2 + static_cast<std::size_t>(stop - digits.data());
-    // The code page is not known here, and only ASCII characters are equal in all code pages.
+    // This function does not know the code page. Only ASCII characters are equal in all code pages.
     const bool is_known = letter >= 0x20U && letter < 0x7FU;
     if (is_known) words.text += static_cast<char>(letter);
     words.has_unknown = words.has_unknown || !is_known;
@@ -85,7 +85,8 @@ class MtextReader {
     if (!unfollowed_.empty()) unfollowed_ += ' ';
     unfollowed_ += code;
   }
-  /// A setting within braces is in force up to the closing brace.
+  /// Changes the depth of braces by `by`. A setting within braces is in force up to the closing
+  /// brace.
   void enter(int by) {
     depth_ += by;
     if (is_set_at_ > 0 && depth_ < is_set_at_) has_ended_ = true;

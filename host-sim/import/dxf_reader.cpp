@@ -269,8 +269,8 @@ class DxfReader {
                     "they are left out; set the spacing, or use one row and one column"});
   }
 
-  /// Counts one more entity that is drawn. Returns false if there are too many; the first excess is
-  /// reported.
+  /// Counts one more entity that is drawn. Returns false if there are too many; reports a fault at
+  /// the first entity beyond the limit.
   bool count(const DxfEntity& entity) {
     if (++instances_ <= max_instances_) return true;
     if (instances_ == max_instances_ + 1) too_many(entity);

@@ -135,7 +135,7 @@ DxfShapes spline_of(const SplineData& data) {
   if (!drawn.wrong.empty()) return drawn;
   const std::size_t repeats = data.degree + 1;
   std::size_t from = 0;
-  // A part at either end that has no span is outside the domain of the curve.
+  // A part without a span, at the beginning or the end, is outside the domain of the curve.
   const auto add = [&](std::size_t to) {
     if (to - from <= 2 * data.degree + 1) return;
     if (auto curve = part_of(data, from, to)) drawn.shapes.emplace_back(*std::move(curve));

@@ -43,7 +43,7 @@ struct DxfStyle {
   std::string file{};  ///< Name of the font file; empty if the style names none.
   text::FontWish font{};
   double height = 0.0;       ///< Height of texts that give no height, in units of the drawing.
-  double width = 1.0;        ///< Factor of the width of letters.
+  double width = 1.0;        ///< Factor by which the width of letters is multiplied.
   double oblique_deg = 0.0;  ///< Lean of the letters to the right.
   /// Sum of flags: 2 if letters are mirrored (backwards), 4 if they are upside down.
   int flags = 0;

@@ -63,8 +63,8 @@ void EndMatcher::gather_pairs() {
 }
 
 void EndMatcher::gather_in(EndIndex end, Key key) {
-  // Greatest number of neighbours of one end that are checked in one cell. A sensible drawing does
-  // not have more.
+  // Greatest number of neighbours of one end that are checked in one cell. A drawing made for
+  // cutting does not have more neighbours at a point.
   constexpr std::size_t kMaxEndsAtAPlace = 16;
   std::size_t found = 0;
   for (auto at = std::ranges::lower_bound(cells_, std::pair{key, end + 1});

@@ -4,7 +4,7 @@
 
 namespace sim::drawing {
 
-/// A length, mm, or an area, mm², and its position.
+/// A length, mm, or an area, mm², with the position at which it was measured.
 struct Extent {
   double size = 0.0;
   Place place{0.0, 0.0};

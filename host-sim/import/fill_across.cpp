@@ -31,7 +31,7 @@ std::vector<std::size_t> numbered_groups(const std::vector<std::size_t>& groups)
 }
 
 /// The contours of a drawing as pieces. `doubled` are those that run along another contour; they
-/// are kept apart, because a contour and its copy would together fill nothing.
+/// are stored separately, because a contour and its copy would together fill nothing.
 struct SortedPieces {
   std::vector<Piece> filling{};
   std::vector<Piece> doubled{};
@@ -70,7 +70,7 @@ bool fill_across(Drawing& drawn,
                       std::make_move_iterator(sketch.faults().begin()),
                       std::make_move_iterator(sketch.faults().end()));
   std::ranges::move(doubled, std::back_inserter(pieces));
-  // This sketch is dropped with its notes, because the same notes were reported when the drawing
+  // Sketch for repeated notes. It is dropped, because the same notes were reported when the drawing
   // was read.
   Sketch told{options.effort, options.text};
   find_coincident(told, pieces, options.gap_mm);

@@ -42,7 +42,8 @@ double length_of_loop(const cnc::contour::ContourView<double>& view, std::size_t
   return length;
 }
 
-/// Moves the loops that are large enough for a cut to `filled`, and counts the other loops there.
+/// Moves the loops that are large enough for a cut to `filled`, and counts the other loops in
+/// FilledSet::small_loops.
 void sort_out(const Contour& loops, const LeastLoop& least, FilledSet& filled) {
   const auto view = loops.view();
   for (std::size_t loop = 0; loop < view.loop_ends.size(); ++loop) {

@@ -33,7 +33,7 @@ struct FillingLoop {
 
 /// Bounds below which a loop is left out: its area, and its mean width.
 struct LeastLoop {
-  double area_mm2 = 0.02;  ///< Least area: that of a disc with a diameter of 0.16 mm.
+  double area_mm2 = 0.02;  ///< Least area: a disc with a diameter of 0.16 mm.
   double width_mm = 0.01;
 };
 

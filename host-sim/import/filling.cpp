@@ -22,7 +22,7 @@ namespace {
 
 /// Pieces that may touch each other, as loops of one arrangement.
 struct Group {
-  std::vector<std::size_t> pieces{};  ///< Number of the piece from which each loop was made.
+  std::vector<std::size_t> pieces{};  ///< For each loop, the number of its piece.
   Contour loops{};
   /// Numbers of pieces that have no loop, because no arcs follow them within the tolerance.
   std::vector<std::size_t> without_arcs{};
@@ -144,7 +144,8 @@ void Filling::resolve(const Group& group) {
     const auto sets = resolved(group, touch_mm);
     if (!sets) continue;
     for (const Resolved& set : *sets) {
-      // A path there and back along the same line encloses nothing; drop_flat() reports it.
+      // A path that runs forth and back along the same line encloses nothing; drop_flat() reports
+      // it.
       if (set.filled.outlines.loop_ends.empty()) continue;
       if (refuses_crossings_ && set.from.size() > 1) {
         refuse(set.from, set.filled.crossing);

@@ -9,9 +9,9 @@ namespace sim::drawing {
 
 /// Tolerance of the arcs that replace the curves of crossing contours, mm.
 inline constexpr double kFillToleranceMm = 0.002;
-/// Distances below which points of contours count as one point, mm. They are tried one after the
-/// other. A distance fails if two contours are about this distance apart, because their points may
-/// then count as one point but their lines as two lines.
+/// Distances below which points of contours count as one point, mm. They are tried in this order
+/// until one succeeds. A distance fails if two contours are about this distance apart: their points
+/// may then count as one point while their lines still count as two lines.
 inline constexpr std::array kFillTouchesMm{1.0e-7, 2.0e-6, 3.0e-9, 4.0e-5};
 
 /// Replaces closed pieces of one layer and part that overlap themselves or each other by the

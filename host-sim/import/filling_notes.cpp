@@ -7,7 +7,8 @@
 namespace sim::drawing {
 namespace {
 
-/// Least length of lines on no outline that a note reports, mm. Shorter lines result from rounding.
+/// Least total length of edges on no outline that a note reports, mm. Shorter edges result from
+/// rounding.
 constexpr double kUnseenRoundingMm = 0.01;
 constexpr LeastLoop kMinLoop{};
 

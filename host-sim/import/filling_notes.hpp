@@ -20,7 +20,8 @@ class FillingNotes {
   void add(const std::vector<Piece>& pieces,
            const std::vector<std::size_t>& from,
            const FilledSet& filled);
-  /// Adds the common note, and a note about sets beyond the limit. Must be called once, at the end.
+  /// Adds the common note, and a note about the sets that exceed the limit of notes. Must be called
+  /// once, at the end.
   void finish();
 
  private:
@@ -28,7 +29,7 @@ class FillingNotes {
 
   Sketch& sketch_;
   std::size_t notes_ = 0;
-  std::size_t more_ = 0;  ///< Number of sets that have no note of their own.
+  std::size_t more_ = 0;  ///< Number of sets without a separate note.
   double more_unseen_mm_ = 0.0;
   std::size_t mended_ = 0;  ///< Number of contours that only lost small loops.
   /// Number of small loops that the contours counted by `mended_` have lost.

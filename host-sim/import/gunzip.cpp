@@ -10,7 +10,7 @@ namespace sim::drawing {
 namespace {
 
 constexpr std::size_t kChunkBytes = std::size_t{1} << 16;
-// The windowBits argument of zlib: 15 stands for the largest window, and + 16 requires the gzip
+// The windowBits argument of zlib: 15 selects the largest window, and adding 16 requires the gzip
 // format.
 constexpr int kGzipWindow = 15 + 16;
 

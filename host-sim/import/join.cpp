@@ -258,8 +258,8 @@ std::vector<Piece> join(Sketch& sketch,
   for (Piece& chain : chains) {
     const double apart = distance(chain.outline.front(), chain.outline.back());
     if (chain.contour.length_mm <= gap_mm) {
-      // Such a short piece is not visible, so it is no error. One note gives the number of these
-      // pieces.
+      // A piece as short as this one is not visible, so it is no error. One note gives the number
+      // of these pieces.
       sketch.note({FaultKind::kIgnored,
                    chain.contour.entity,
                    chain.outline.front(),

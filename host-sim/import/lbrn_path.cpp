@@ -68,8 +68,8 @@ std::optional<std::vector<LbrnVertex>> lbrn_vertices(std::string_view list) {
   std::vector<LbrnVertex> vertices;
   Scanner scanner{list};
   while (!scanner.at_end()) {
-    // An S marks a vertex as smooth. It is skipped, because the handles of the vertex show the
-    // same.
+    // An S marks a vertex as smooth. It is skipped, because the handles of the vertex already make
+    // the path smooth.
     if (scanner.take('S')) continue;
     if (!scanner.take('V')) return {};
     const auto x = scanner.number();
@@ -86,7 +86,7 @@ std::optional<std::vector<LbrnVertex>> lbrn_vertices(std::string_view list) {
 
 std::optional<std::vector<LbrnEdge>> lbrn_edges(std::string_view list, std::size_t vertices) {
   Scanner scanner{list};
-  // Only skips blanks.
+  // Skips blanks; the returned character is not used.
   static_cast<void>(scanner.peek());
   if (scanner.rest().starts_with("LineClosed")) return all_around(vertices, true);
   if (scanner.rest().starts_with("LineOpen")) return all_around(vertices, false);

@@ -21,9 +21,9 @@
 namespace sim::drawing {
 namespace {
 
-// Bound on the work of reading a project. A unit of work is kBytesOfWork bytes of lists of a shape.
-// Many shapes may share one long list, so without a bound a file of one page could take hours. Each
-// shape costs kWorkOfShape units in addition to its lists.
+// Bound on the work of reading a project. One unit of work is the reading of kBytesOfWork bytes of
+// the lists of a shape. Many shapes may share one long list, so without a bound a file of one page
+// could take hours. Each shape costs kWorkOfShape units in addition to its lists.
 constexpr std::size_t kMaxLbrnWork = 20'000'000;
 constexpr std::size_t kWorkOfShape = 32;
 constexpr std::size_t kBytesOfWork = 16;

@@ -11,7 +11,7 @@
 namespace sim::drawing {
 namespace {
 
-// Colours of the layers, by their index. The last two colours are those of the tool layers.
+// Colours of the layers, by their index. The last two colours belong to the tool layers.
 constexpr std::array<std::string_view, 32> kLbrnPalette{
     "#000000", "#0000ff", "#ff0000", "#00e000", "#d0d000", "#ff8000", "#00e0e0", "#ff00ff",
     "#b4b4b4", "#0000a0", "#a00000", "#00a000", "#a0a000", "#c08000", "#00a0ff", "#a000a0",
@@ -97,8 +97,8 @@ std::map<int, LbrnLayer> lbrn_layers(const pugi::xml_node& project, LbrnUse use)
     layer.layer.offered = offered_by(setting);
     if (value_of(setting, "doOutput") == 0.0) layer.is_output = false;
     layer.has_sub_layers = !setting.child("SubLayer").empty();
-    // If an index has two settings, those for lines come first in the file, and those for pictures
-    // second.
+    // If an index has two settings, the file contains the setting for lines first, and the setting
+    // for pictures second.
     if (use == LbrnUse::kPictures && tag == "CutSetting_Img") {
       layers.insert_or_assign(number, std::move(layer));
     } else {

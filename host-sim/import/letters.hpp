@@ -22,7 +22,7 @@ struct LetterLine {
   double size = 1.0;  ///< Size of the em, in units of the line's axes.
   /// True if `size` is the height of capital letters; false if it is the size of the em.
   bool is_capital_height = false;
-  double stretch = 1.0;     ///< Factor of the width of letters.
+  double stretch = 1.0;     ///< Factor by which the width of letters is multiplied.
   double slant_rad = 0.0;   ///< Angle by which upright strokes lean to the right.
   double spacing_em = 0.0;  ///< Additional distance after each letter, in em.
   TextAnchor anchor = TextAnchor::kStart;
@@ -44,8 +44,8 @@ void add_letters(Sketch& sketch,
                  const LetterLine& line,
                  const std::function<bool(const std::vector<Shape>&)>& is_visible = {});
 
-/// Sets fill rule and filling of the entity of letters. Puts letters of single strokes on a layer
-/// of the same name with the colour kStrokeTextColour.
+/// Sets fill rule and filling of the entity of letters. Puts letters of single strokes on another
+/// layer, which has the same name but the colour kStrokeTextColour.
 void sort_letters(Sketch& sketch, Entity& entity);
 
 /// Adds the curves of letters, in mm, to the sketch. Returns false if the sketch cannot take more

@@ -55,8 +55,8 @@ class LooseEnds {
   /// probably a gap between them.
   [[nodiscard]] bool are_pair(std::size_t end, std::size_t other) const;
 
-  /// Returns whether an end has exactly one neighbour, both are a pair by are_pair(), and they are
-  /// at most `max_mm` apart.
+  /// Returns whether an end has exactly one neighbour, forms a pair with it by are_pair(), and is
+  /// at most `max_mm` away from it.
   [[nodiscard]] bool is_of_pair(std::size_t end, double max_mm) const;
 
  private:

@@ -67,7 +67,7 @@ class Strips {
   /// Counts in `hits`, for each piece, its crossings of the ray from `place` to the right. `place`
   /// may be outside of all strips. Returns false if the budget is spent.
   bool count(const Place& place, std::map<std::size_t, std::size_t>& hits, Budget& budget) const {
-    // Cost of the full check of a chord, in units of the check of the box of its piece.
+    // Cost of the full check of a chord, relative to the cost of the check of a piece's box.
     constexpr std::size_t kCloseLook = 16;
     if (place.y() < min_ || place.y() > max_) return true;
     const std::size_t number = strip_of(place.y());
@@ -130,7 +130,7 @@ class Strips {
   std::vector<Chord> chords_;
 };
 
-/// Stores the piece with the smallest area of those that surround a point.
+/// Finds, among the pieces that surround a point, the piece with the smallest area.
 struct Innermost {
   void look_at(std::size_t other, double area) {
     if (area >= smallest) return;
@@ -232,7 +232,7 @@ void nest(Sketch& sketch, std::vector<Piece>& pieces) {
     for (const auto& [other, count] : hits) {
       const double area = std::abs(pieces[other].contour.area_mm2);
       // Two contours may each surround the inner point of the other. The contour with the greater
-      // area then counts as the outer one.
+      // area then counts as the outer contour.
       if (count % 2 == 0 || other == index || area <= std::abs(contour.area_mm2)) continue;
       of_all.look_at(other, area);
       if (pieces[other].contour.entity.part != contour.entity.part) continue;

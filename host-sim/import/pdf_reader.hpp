@@ -12,7 +12,7 @@ namespace sim::drawing {
 [[nodiscard]] bool is_pdf(std::string_view start);
 
 /// Reads the first page of a PDF file, in mm. All strokes and fills of the page, including letters,
-/// become paths. Their points are within 0.0001 mm of those in the file. Each colour becomes a
+/// become paths. Their points are within 0.0001 mm of the points in the file. Each colour becomes a
 /// layer; layers of the PDF itself are not kept.
 ///
 /// A note reports that further pages are not read. A file that is broken or protected by a password

@@ -36,8 +36,8 @@ class Scanner {
   /// Consumes a comma if the next character is one.
   void separate() { static_cast<void>(take(',')); }
 
-  /// Consumes a finite number and returns it. If none is next, returns nothing and consumes only
-  /// blanks.
+  /// Consumes a finite number and returns it. If the next text is no number, returns nothing and
+  /// consumes only blanks.
   std::optional<double> number() {
     skip_blanks();
     std::size_t from = at_;
@@ -60,7 +60,7 @@ class Scanner {
     return next == '1';
   }
 
-  /// Consumes a word of letters and hyphens and returns it; empty if none is next.
+  /// Consumes a word of letters and hyphens and returns it; empty if the next text is no word.
   std::string_view word() {
     skip_blanks();
     const std::size_t from = at_;

@@ -192,8 +192,8 @@ void Sketch::refuse(std::size_t line, std::size_t column, std::string reason, st
 }
 
 void Sketch::note(const Fault& first, std::string detail) {
-  // Letters and pictures have one note for each layer, because rules may skip those of one layer
-  // only.
+  // Letters and pictures have one note for each layer, because rules may skip the letters or
+  // pictures of a single layer.
   const bool is_of_layer = first.kind == FaultKind::kText || first.kind == FaultKind::kPicture ||
                            first.kind == FaultKind::kBadPicture;
   const std::size_t layer = is_of_layer ? first.entity.layer : 0;

@@ -41,8 +41,8 @@ class Sketch {
   [[nodiscard]] std::size_t layer(const Layer& layer);
   [[nodiscard]] std::size_t add_entity(Entity entity);
 
-  /// Adds a chain, without those of its shapes that have no length. A chain that has only such
-  /// shapes, or that has points beyond kFarthestMm, becomes a fault. Returns false if the sketch
+  /// Adds a chain. Its shapes without length are left out. A chain that has only shapes without
+  /// length, or that has points beyond kFarthestMm, becomes a fault. Returns false if the sketch
   /// has too many shapes.
   bool add(Chain chain);
 
@@ -71,9 +71,9 @@ class Sketch {
   void ignore(const std::string& what, const Entity& first, std::string remedy = {}) {
     note({FaultKind::kIgnored, first, {}, what, std::move(remedy)});
   }
-  /// Adds a note. Notes with equal kind and reason become one note with their number. The first of
-  /// them gives the position and the remedy.
-  /// @param detail text that follows the reason; that of the first note is used
+  /// Adds a note. Notes with equal kind and reason become one note, which gives their number. The
+  /// first of these notes gives the position and the remedy. @param detail text that follows the
+  /// reason; the text of the first note is used
   /// @pre `first` is no error
   void note(const Fault& first, std::string detail = {});
   /// Adds a note about a text that is left out. The note gives the number of such texts in the
@@ -137,7 +137,7 @@ class Sketch {
   };
 
   /// Returns whether a fault reports that strokes of letters are open, cross each other or meet.
-  /// This is normal for such strokes and is not reported.
+  /// These properties are normal for strokes of letters, so the fault is not reported.
   [[nodiscard]] bool is_of_strokes(const Fault& fault) const;
 
   double effort_;

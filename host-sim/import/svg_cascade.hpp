@@ -67,7 +67,7 @@ class SvgCascade {
   /// @param steps greatest number of comparisons of elements with selectors in the whole document
   explicit SvgCascade(std::size_t steps) : steps_{steps} {}
 
-  /// Adds the rules of a sheet after those of earlier sheets.
+  /// Adds the rules of a sheet after the rules of earlier sheets.
   void add(std::vector<SvgRule> rules);
 
   [[nodiscard]] SvgProperties properties_of(const pugi::xml_node& node);

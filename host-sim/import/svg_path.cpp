@@ -155,7 +155,7 @@ class PathReader {
   SvgPen& pen_;
   std::array<double, 7> values_{};
   Place control_{0.0, 0.0};
-  char smooth_ = '\0';  ///< The previous command, which decides mirrored().
+  char smooth_ = '\0';  ///< Letter of the previous command, for mirrored().
   bool relative_ = false;
   bool first_ = true;
 };

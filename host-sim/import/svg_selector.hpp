@@ -15,7 +15,8 @@ inline constexpr std::string_view kCssBlanks = " \t\r\n\f";
 /// A condition on an attribute: `[name]`, `[name=value]`, `[name~=value]` and so on.
 struct SvgAttributeTest {
   std::string name;
-  /// 0: the attribute must exist. Otherwise the character before `=`, or `=` if there is none.
+  /// Kind of the condition. 0: the attribute must exist. Otherwise it is the character before `=`,
+  /// or `=` if no such character exists.
   char kind = '\0';
   std::string value{};
 };
@@ -46,8 +47,8 @@ class SvgSelector {
   /// `steps` is 0, returns false.
   [[nodiscard]] bool matches(const pugi::xml_node& node, std::size_t& steps) const;
   /// Returns the specificity of the selector as one number for comparisons. Its highest bits are
-  /// the count of ids, the next ones that of classes and attributes, and the lowest ones that of
-  /// types.
+  /// the count of ids, the middle bits the count of classes and attributes, and the lowest bits the
+  /// count of types.
   [[nodiscard]] std::uint32_t specificity() const;
   /// Returns the conditions for the selected element itself.
   /// @pre parse() made the selector

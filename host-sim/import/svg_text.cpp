@@ -151,7 +151,7 @@ std::size_t SvgText::lay_chunk(std::size_t from) {
   pen_ = {characters_[from].x.value_or(pen_.x()), characters_[from].y.value_or(pen_.y())};
   std::size_t to = from + 1;
   while (to < characters_.size() && !characters_[to].x && !characters_[to].y) ++to;
-  // The blank between two lines belongs to neither line.
+  // The blanks at the end of a line separate it from the next line and belong to neither of them.
   std::size_t end = to;
   while (to < characters_.size() && end > from + 1 && characters_[end - 1].bytes == " ") --end;
   const double start = pen_.x();

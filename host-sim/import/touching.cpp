@@ -18,9 +18,9 @@ constexpr std::size_t kMaxChordPairs = 200'000'000;
 // Greatest distance between chords of two curves that touch, mm: twice the tolerance of chords, and
 // some space for rounding.
 constexpr double kNearMm = 2.5 * kChordToleranceMm;
-// Least length of path, from the start of one chord of a contour to the end of another one, for
-// which the two chords are compared, mm. A shorter path encloses nothing that could be cut, and
-// finely drawn curves have many such pairs of chords.
+// Least length of the path from the start of one chord to the end of a later chord of the same
+// contour at which the two chords are compared, mm. A shorter path encloses nothing that could be
+// cut. Finely drawn curves have many pairs of chords with such short paths.
 constexpr double kShortPathMm = 0.01;
 
 /// A chord of an outline.

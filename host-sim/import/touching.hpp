@@ -14,8 +14,8 @@ struct TouchingPieces {
 };
 
 /// Finds closed pieces whose chords are so near to other chords, of the same piece or of another
-/// one, that their curves may touch. Compares pieces of one part within each layer or group of
-/// layers. Reports a fault if the bound on work ended the comparison.
+/// one, that their curves may touch. Compares only pieces of the same part that are in one layer or
+/// one group of layers. Reports a fault if the bound on work ended the comparison.
 [[nodiscard]] TouchingPieces find_touching(Sketch& sketch, const std::vector<Piece>& pieces);
 
 }  // namespace sim::drawing

@@ -18,8 +18,8 @@ struct WiderGap {
 
 /// Returns the smallest of the gaps 0.02, 0.05, 0.1, 0.2 and 0.5 mm that closes more than half of
 /// the open ends, and at least nine tenths of the ends that the widest gap closes. Returns nothing
-/// if there is no such gap. Also returns nothing if a chain is no longer than the gap, because that
-/// chain would be lost.
+/// if there is no such gap. Also returns nothing if any chain is no longer than the gap, because
+/// both ends of this chain would be joined and the chain lost.
 [[nodiscard]] std::optional<WiderGap> wider_gap(const std::vector<Piece>& chains, double gap_mm);
 
 }  // namespace sim::drawing

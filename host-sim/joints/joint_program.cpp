@@ -25,8 +25,8 @@ constexpr std::string_view kAxisLetters = "XYZABC";
 constexpr std::array<std::uint32_t, 10> kKeptM{0, 1, 2, 3, 4, 5, 7, 8, 9, 30};
 constexpr std::uint32_t kDwellG = 4;
 
-/// A motion of a program. The model converts tip positions to axis positions. It is empty if the
-/// motion is outside of G43.4 and already has axis positions.
+/// A motion of a program. `model` converts tip positions to axis positions. It is empty if the
+/// motion is outside of G43.4: its positions are then axis positions.
 struct Motion {
   PathPiece piece;
   std::optional<FiveAxisModel> model{};

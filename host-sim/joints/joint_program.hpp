@@ -33,8 +33,8 @@ struct JointProgram {
 
 /// Converts a program with G43.4 to moves of the machine's axes, for a controller that does not
 /// support G43.4 (tool centre point control). The moves are straight, in machine coordinates, mm
-/// and degrees, with inverse time feed (G93). Words for beam, spindle, coolant, dwells and stops
-/// are copied, and so are comments.
+/// and degrees, with inverse time feed (G93). Copies comments, and words for beam, spindle,
+/// coolant, dwells and stops.
 /// @param settings settings of the five-axis machine; $900 to $917 are used
 /// @param file name of the program's file, for error messages
 /// Throws std::invalid_argument, with the line number, for words that cannot be converted and for a

@@ -16,10 +16,11 @@ struct Experiment {
   cnc::kerf::Condition condition{};
   double kerf_top_mm = 0.0;
   double kerf_bottom_mm = 0.0;
-  /// Mean dross area of the cut's faces at the bottom; empty if it was not measured. It is then not
-  /// judged.
+  /// Mean dross area of the cut's faces at the bottom; empty if it was not measured. The cut is
+  /// then accepted or rejected without it.
   std::optional<double> dross_area_mm2{};
-  /// Straightness at the bottom; empty if it was not measured. It is then not judged.
+  /// Straightness at the bottom; empty if it was not measured. The cut is then accepted or rejected
+  /// without it.
   std::optional<double> straightness_mm{};
   std::string file{};
   std::size_t line = 0;

@@ -102,7 +102,8 @@ class CsvReader {
     fail(fmt::format("column {}: {}", column, reason));
   }
 
-  /// Returns whether a line is `sep=;` or the like, which some spreadsheets write first.
+  /// Returns whether a line names the separator, as in `sep=;`. Some spreadsheets write such a line
+  /// first.
   bool is_separator_line(std::string_view line) const {
     return !has_header_ && line.size() == 5 && line.starts_with("sep=");
   }

@@ -20,12 +20,12 @@ struct ExperimentFile {
 };
 
 /// Reads a CSV file of test cuts: the header, then one cut on each line. Fields may be quoted.
-/// Blank lines and lines that begin with # do not count.
+/// Blank lines and lines that begin with # are ignored.
 ///
 /// Fields are separated by commas, or by semicolons or tabs if the header has them. In the latter
 /// case numbers may have a decimal comma. Empty columns at the end of a line, and lines that
-/// consist of separators, are ignored, too. Dross and straightness may be empty; they are then not
-/// judged. A line without any measurement is left out.
+/// consist of separators, are ignored, too. Dross and straightness may be empty; the cut is then
+/// accepted or rejected without them. A line without any measurement is left out.
 ///
 /// Throws std::invalid_argument with `FILE:LINE: column NAME: reason` for the first fault, and if
 /// no line has a measurement.

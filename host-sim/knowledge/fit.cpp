@@ -46,7 +46,7 @@ std::map<std::uint32_t, Powers> cells_of(std::span<const Experiment> cuts) {
 }
 
 /// Returns the longest run of tried speeds at which all cuts were accepted; of two equally long
-/// runs, the slower one.
+/// runs, the run of the lower speeds.
 Speeds longest_run(const Speeds& speeds) {
   Speeds best;
   Speeds run;
@@ -79,7 +79,7 @@ void for_each_cell(const Powers& region, kerf::HeatUnit unit, Visit visit) {
   }
 }
 
-/// Fits a line to all cuts, if there are enough cuts. Returns whether there are.
+/// Fits a line to all cuts, if there are enough cuts. Returns whether there are enough.
 bool add_law(const Powers& region, kerf::HeatUnit unit, ThicknessRecord& row) {
   std::vector<Sample> samples;
   std::set<double> heats;

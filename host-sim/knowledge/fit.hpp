@@ -12,10 +12,11 @@ namespace sim {
 /// Criterion by which the linear law holds for a thickness. Means are over the cuts under one
 /// condition.
 struct LawCriterion {
-  /// The law holds if no mean is farther from it than this: twice the measuring error.
+  /// Distance of the means from the law, mm. If no mean is farther away, the law holds. The
+  /// distance is twice the measuring error.
   double close_mm = 2.0 * kMeasuringErrorMm;
-  /// Least correlation with which the law holds, too, if no mean is farther from it than far_mm. It
-  /// is the least correlation that the paper calls strong.
+  /// Least correlation. With at least this correlation, the law also holds if no mean is farther
+  /// from it than far_mm. It is the least correlation that the paper calls strong.
   double min_correlation = 0.9;
   /// Greatest distance of a mean from a law with this correlation. It is the least processing
   /// tolerance of the paper.

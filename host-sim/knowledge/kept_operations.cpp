@@ -9,7 +9,8 @@ void KnowledgeBase::save_operations(const std::string& material,
   SqlTransaction transaction{file_};
   for (const OperationRecord& operation : operations) {
     remove_like(material, operation);
-    // All operations have the same origin, so that one deletion removes all earlier ones.
+    // All operations have the same origin. Therefore a single deletion removes all earlier
+    // operations of this origin.
     if (!operation.origin.is_measured_here) break;
   }
   for (const OperationRecord& operation : operations) insert_operation(material, operation);

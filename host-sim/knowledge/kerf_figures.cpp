@@ -91,7 +91,7 @@ ChartPanel over_speed(const MaterialRecord& record,
   return panel;
 }
 
-/// Returns a few round speeds between the least and the greatest of the thickness.
+/// Returns a few round speeds between the least and the greatest permissible speed at a thickness.
 std::set<std::uint32_t> sample_speeds(const OwnedKerfTable<double>& table,
                                       std::uint32_t thickness_um) {
   kerf::Window all{kerf::kMaxSpeedUmMin, 0};

@@ -259,7 +259,7 @@ std::vector<MaterialRecord> KnowledgeBase::records() const {
       record.provenance = origins_of(record.operations);
       continue;
     }
-    // Faults of a file that was edited by hand are reported here, before any lookup.
+    // Reports, before any lookup, the faults of a file that was edited by hand.
     require_sound(record);
   }
   return records;

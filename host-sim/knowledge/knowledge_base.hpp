@@ -17,9 +17,9 @@ namespace sim {
 /// member throws std::runtime_error naming the file when SQLite fails.
 class KnowledgeBase {
  public:
-  /// Opens the file. Throws also if the file is no such data base, is empty, or has an unknown
-  /// version, and if it does not exist and `mode` does not create it. With kRead the file stays
-  /// unchanged.
+  /// Opens the file. Also throws if the file is no such data base, is empty, or has an unknown
+  /// version. Throws, too, if the file does not exist and `mode` does not create it. With kRead the
+  /// file stays unchanged.
   KnowledgeBase(const std::string& file, SqlFile::Mode mode);
 
   /// Returns a data base with only the shipped records.

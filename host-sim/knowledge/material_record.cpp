@@ -19,7 +19,7 @@ namespace kerf = cnc::kerf;
 /// 95 % of single cuts.
 double half_interval(const ThicknessRecord& row, double heat) {
   // Variance, in units of residual_sd_mm²: 1 for the scatter of a single cut, plus 1 for the error
-  // of a measured mean, which may come from only one cut.
+  // of a measured mean, because the mean may be that of only one cut.
   double variance = 2.0;
   if (!row.measured) {
     variance = 1.0;

@@ -28,7 +28,7 @@ struct ThicknessRecord {
   /// Standard deviation of the kerf of one cut from the law; if `measured`, from the mean kerf
   /// under its condition.
   double residual_sd_mm = 0.0;
-  /// Greatest deviation from the law of the mean kerf under one condition.
+  /// Greatest deviation from the law, over all conditions, of the mean kerf under a condition.
   double greatest_residual_mm = 0.0;
   std::size_t samples = 0;  ///< Number of cuts of the fit; 0 if not known.
   std::size_t degrees = 0;  ///< Degrees of freedom of residual_sd_mm; 0 if not known.

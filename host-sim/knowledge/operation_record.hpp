@@ -13,7 +13,7 @@ struct Origin {
   /// Whether a person measured the values on this machine; otherwise they were imported.
   bool is_measured_here = false;
   std::string by{};      ///< Name of the person who measured; empty if not known.
-  std::string on{};      ///< Day of the fact, YYYY-MM-DD; empty if not known.
+  std::string on{};      ///< Day of the measurement or the import, YYYY-MM-DD; empty if not known.
   std::string source{};  ///< File from which the values were read.
   bool operator==(const Origin&) const = default;
 };
@@ -54,11 +54,11 @@ struct OperationWish {
   std::string description{};  ///< Description of the operation; empty for any.
 };
 
-/// Returns the operation of the wished kind and thickness, or, if none has that thickness, one
-/// without a known thickness. If any of these were measured here, returns the fastest of the
-/// measured ones, with the least power. Otherwise returns the only one of the wished description;
-/// empty if there is none. Throws std::invalid_argument naming the descriptions if there are
-/// several, and the thicknesses if none fits.
+/// Returns one of the operations of the wished kind and thickness or, if none has this thickness,
+/// of those without a known thickness. If any of them were measured here, returns the fastest
+/// measured operation; of equally fast ones, that with the least power. Otherwise returns the only
+/// operation with the wished description; empty if there is none. Throws std::invalid_argument
+/// naming the descriptions if there are several, and the thicknesses if none fits.
 [[nodiscard]] std::optional<OperationRecord> choose_operation(
     const std::vector<OperationRecord>& operations, const OperationWish& wish);
 

@@ -6,8 +6,8 @@ namespace sim {
 /// converted to version 2 at the first write.
 inline constexpr int kSchemaVersion = 2;
 
-/// The tables, which README.md describes. Integers are µm, mW, µm/min and nm, exact. Measured or
-/// fitted numbers are REAL, in mm, W, mm/min and MPa as their names say.
+/// The tables, which README.md describes. Integers are exact values in µm, mW, µm/min and nm.
+/// Measured or fitted numbers are REAL, in the unit that ends their name: mm, W, mm/min or MPa.
 inline constexpr const char* kSchema = R"sql(
 CREATE TABLE import (
   id INTEGER PRIMARY KEY,

@@ -16,7 +16,7 @@ constexpr std::array<double, 4> kCorrelations{0.93, 0.94, 0.91, 0.90};
 
 /// Adds the residual that the paper implies. The paper prints neither the number of fitted cuts nor
 /// their residuals. Its correlations and slopes over known heat inputs imply the residuals. The
-/// heat inputs are those of Table 2 at every full m/min, once each.
+/// heat inputs are those that Table 2 permits, each at every whole speed in m/min.
 void add_implied_residual(ThicknessRecord& row, kerf::HeatUnit unit) {
   std::vector<double> heats;
   for (const PowerRecord& power : row.powers) {
@@ -63,9 +63,9 @@ PowerRecord example_power(double watts, double min_mm_min, double max_mm_min) {
   return {to_thousandths(watts), {to_thousandths(min_mm_min), to_thousandths(max_mm_min)}, {}};
 }
 
-/// Returns an example record without measurements, as a start of a calibration. It has round
-/// numbers of the size that makers of 40 to 80 W tubes give. Its uncertainty is that of a guess, ±
-/// 0.1 mm.
+/// Returns an example record without measurements, as a start of a calibration. Its round numbers
+/// are similar to the values that makers of 40 to 80 W tubes give. They are a guess, so the
+/// uncertainty is ± 0.1 mm.
 MaterialRecord example_acrylic() {
   constexpr double kDoubtMm = 0.05;
   MaterialRecord record{

@@ -17,7 +17,7 @@ namespace {
 
 using drawing::Place;
 
-/// Least height of a label's capitals; lower ones cannot be read on wood.
+/// Least height of a label's capitals; lower capitals cannot be read on wood.
 constexpr double kMinLabelMm = 1.2;
 constexpr double kLabelSpaceMm = 1.5;  ///< Distance of labels from squares and slots, mm.
 /// Greatest distance between the curves of a letter and the lines that replace them.
@@ -29,7 +29,7 @@ std::string grid_number(double value) {
   return fmt::format("{:.10g}", std::round(value * kThousand) / kThousand);
 }
 
-/// Returns the width of a label whose capitals are 1 high.
+/// Returns the width of a label whose capitals have the height 1, in the same unit.
 double width_of_label(std::string_view words) {
   text::Lettering lettering{true};
   double width = 0.0;

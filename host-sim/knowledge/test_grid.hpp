@@ -47,12 +47,13 @@ struct GridProgram {
 /// std::invalid_argument with the required cell size if no legible height fits.
 [[nodiscard]] double label_height(const TestGrid& grid);
 
-/// Returns width and height of the grid with labels and slots, mm. Throws as label_height().
+/// Returns width and height of the grid with labels and slots, mm. Throws the exceptions of
+/// label_height().
 [[nodiscard]] drawing::Place size_of(const TestGrid& grid);
 
 /// Returns the program: labels first, then the squares, then the slots. Its motions are only G0 and
-/// G1, which any Grbl reads. Throws as label_height().
-/// @param heading comments at the top
+/// G1, which any Grbl reads. Throws the exceptions of label_height(). @param heading comments at
+/// the top
 [[nodiscard]] std::string program_of(const TestGrid& grid,
                                      const GridProgram& program,
                                      const std::vector<std::string>& heading);

@@ -132,7 +132,8 @@ class FormReader {
     return *number;
   }
 
-  /// Returns the mean of the measured width minus the path width; empty if no slot was measured.
+  /// Returns the kerf: the mean, over the measured slots, of the measured width minus the path
+  /// width. Empty if no slot was measured.
   std::optional<double> kerf(std::vector<std::string>& notes) const {
     if (!form_.contains("slots")) return std::nullopt;
     if (!form_["slots"].is_object()) refuse("/slots", "must be an object");

@@ -15,11 +15,11 @@ namespace sim {
 /// Content of a form that was filled in.
 struct MeasuredGrid {
   std::string material{};
-  std::vector<OperationRecord> operations{};  ///< One operation for each good square.
+  std::vector<OperationRecord> operations{};  ///< One for each square with the result `good`.
   std::vector<std::string> notes{};           ///< Notes on values that are missing or assumed.
 };
 
-/// Person and day that replace those of a form without them.
+/// Person and day for a form that does not name them.
 struct FormPerson {
   std::string by{};
   std::string on{};  ///< Day of the measurement, YYYY-MM-DD.

@@ -9,8 +9,9 @@
 
 namespace sim {
 
-/// Computes the width of a controller's cut under G41. It runs a separate controller with the same
-/// power table and kerf tables, so that no other code has to know these tables.
+/// Computes the width of a controller's cut under G41. It runs a second, separate controller with
+/// the same power table and kerf tables, so that the simulator requires no other code for these
+/// tables.
 class KerfQuestion {
  public:
   /// Prepares the separate controller.

@@ -21,7 +21,6 @@ struct MachineModel {
   /// Whether the machine has limit switches.
   bool has_switches = true;
   /// For each axis, the position at which its switch closes, at the end to which $23 homes. An
-  /// For each axis, the position at which its switch closes, at the end to which $23 homes. An
   /// empty value means 1 mm beyond the travel, for a machine that was switched on at the lower end
   /// of all its axes. An endless axis with an empty value has no switch.
   std::array<std::optional<double>, 6> switch_mm{};
@@ -32,7 +31,8 @@ struct MachineModel {
   /// rounded to full steps. An empty value means the backlash of $160…$165, which the controller
   /// knows.
   std::array<std::optional<double>, 6> backlash_mm{};
-  /// Whether the play at power-up is at the opposite end from that after a homing cycle.
+  /// Whether each axis is, at power-up, at the end of its play that is opposite to its end after a
+  /// homing cycle.
   bool backlash_lies_otherwise = false;
   /// Duration of the bouncing of a contact after it opens or closes, in ticks of the step clock.
   std::uint32_t bounce_ticks = 8000;

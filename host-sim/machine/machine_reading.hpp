@@ -15,14 +15,14 @@
 namespace sim {
 
 /// Reads a program in the same way as a machine with these settings. Returns the programmed path
-/// or, under G41 and G42, the path offset from it. The offset results from tools, widths and kerf
-/// tables that the controller has or that the program sends.
+/// or, under G41 and G42, the path offset from it. The offset results from the tools, widths and
+/// kerf tables that are stored in the controller or that the program sends.
 [[nodiscard]] ProgrammedPath read_for_machine(const std::string& text,
                                               const cnc::Settings& settings);
 
 /// Reads a program line by line, in the order in which the controller accepts the lines.
 /// (read_for_machine() reads a complete program.) Refused lines are not part of the path. The path
-/// is not kept.
+/// is not stored.
 class MachineReading {
  public:
   MachineReading(const cnc::Settings& settings, PieceSink sink);

@@ -14,7 +14,7 @@ void PlayModel::place(const cnc::Settings& settings) {
     const auto steps = static_cast<std::int32_t>(std::lround(play * scale));
     if (high_[axis] - low_[axis] == steps) continue;
     const bool pulled_off_to_plus = (homes_low >> axis & 1U) != 0;
-    // An axis that was moved towards plus is behind its motor by the full play.
+    // An axis that was moved in the positive direction is behind its motor by the full play.
     const bool behind = pulled_off_to_plus != model_.backlash_lies_otherwise;
     const std::int32_t beyond = axes_[axis] - motors_[axis];
     low_[axis] = behind ? beyond : beyond - steps;

@@ -7,7 +7,7 @@
 namespace sim {
 namespace {
 
-/// Margin that exceeds the error of rounding a height to steps, steps.
+/// Margin for the error of rounding a height to steps, in steps; greater than this error.
 constexpr double kRoundingSteps = 2.0;
 constexpr double kMaxSteps = 1.0e9;
 

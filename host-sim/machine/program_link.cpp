@@ -66,7 +66,7 @@ void ProgramLink::take_answer(std::string_view answer) {
     return;
   }
   const bool refused = answer.starts_with(kError);
-  // The line is a greeting, an alarm or a report. Only `ok` and errors are answers.
+  // Only `ok` and errors are answers. Any other line is a greeting, an alarm or a report.
   if (!refused && answer != kAccepted) return;
   awaits_answer_ = false;
   if (!refused) {

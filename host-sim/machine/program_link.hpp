@@ -25,7 +25,7 @@ enum class AfterRefusal {
 };
 
 /// A sender at the other end of the serial line. It sends a program line by line, and records the
-/// refusals. It sends each line after the answer to the previous line.
+/// refusals. It sends a line only after the answer to the previous line.
 class ProgramLink final : public KnownLink {
  public:
   /// Stores a program. Adds a line end to the last line if it has none.

@@ -11,7 +11,7 @@ constexpr std::size_t kMaxPauses = 1000;
 /// Number of cycles between two status requests, by which the sender shows that it is present.
 constexpr unsigned kTurnsPerStatus = 100;
 /// Number of cycles with the motors at rest after which the run ends, although motions are left.
-/// Nothing will release such motions.
+/// Nothing would release these motions.
 constexpr unsigned kTurnsOfWaiting = 100;
 /// Number of cycles within which a line is answered after its motion raised an alarm.
 constexpr unsigned kTurnsToAnswer = 100;
@@ -53,7 +53,8 @@ void Simulator::turn() {
     link_.ask_status();
   }
   controller_.turn();
-  // No operator homes the machine. Its position therefore counts as zero.
+  // The simulation has no operator who could home the machine. The position at the start therefore
+  // counts as zero.
   if (machine().alarm() == cnc::Alarm::kHomingRequired) machine().unlock();
   count_turns();
   if (!controller_.step_timer_runs() && done()) controller_.take_back_idle_time();

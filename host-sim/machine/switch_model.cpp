@@ -64,8 +64,8 @@ hal::SwitchMask SwitchModel::read(const PlayModel::Steps& first,
 std::uint64_t SwitchModel::steps_undisturbed(const PlayModel::Steps& first,
                                              const PlayModel::Steps& second) const {
   std::uint64_t steps = std::numeric_limits<std::uint64_t>::max();
-  // If a motor is one step before or after the change of a switch, its next step may make the
-  // change.
+  // If a motor is one step away from the position at which a switch changes, its next step may
+  // change the reading.
   const auto stay_off = [&](std::int64_t distance) {
     const auto beyond = static_cast<std::uint64_t>(std::abs(distance));
     steps = std::min(steps, beyond > 0 ? beyond - 1 : 0);

@@ -11,8 +11,8 @@
 namespace sim {
 
 /// The limit switches of the model machine, one for each motor. A switch is closed from a position
-/// onwards, and its contact bounces. The model is deterministic: the same steps at the same ticks
-/// give the same readings.
+/// of its axis onwards, and its contact bounces. The model is deterministic: the same steps at the
+/// same ticks give the same readings.
 class SwitchModel {
  public:
   explicit SwitchModel(const MachineModel& model) : model_{model} {}
@@ -36,7 +36,7 @@ class SwitchModel {
     bool present = false;
     bool low = false;       ///< Whether the switch is at the lower end of the axis.
     bool second = false;    ///< Whether the axis has two motors, each with its own switch.
-    std::int64_t step = 0;  ///< First step, from the inside, at which the switch is closed.
+    std::int64_t step = 0;  ///< Position, in steps, from which the switch is closed.
     /// Number of steps by which the second motor is nearer to its switch.
     std::int64_t second_ahead = 0;
   };

@@ -123,8 +123,8 @@ void VirtualController::play_until(std::uint64_t tick) {
     next_interrupt_ += wait;
   }
   now_ = tick;
-  // Pass the row on now: nothing else happens at its tick, and sinks may read the state of the
-  // machine.
+  // Passes the row on now: nothing else happens at its tick, and sinks may read the state of the
+  // machine at this time.
   if (row_waits_ && row_.time_ns < now_ * kNanosecondsPerTick) hand_out_row();
 }
 

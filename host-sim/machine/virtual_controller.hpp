@@ -46,7 +46,7 @@ class VirtualController {
   /// @param link the controller's own link; must outlive the controller
   void skip_quiet_polls(const KnownLink& link) { known_link_ = &link; }
   /// Sets whether the firmware checks for memory that has changed by itself. The check is on at the
-  /// start. It can fail only after a planted breakdown.
+  /// start. It can find a change only after a planted breakdown.
   void watch_memory(bool watches) { watches_memory_ = watches; }
 
   /// Plants a breakdown. It replaces a planted breakdown that has not happened yet.

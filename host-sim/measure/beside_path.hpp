@@ -37,11 +37,11 @@ class BesideWay {
   std::optional<RefusedBeside> refused_{};
 };
 
-/// Returns the path of a program with G41 and G42 applied: half the width offset from the
-/// programmed path, with entry and exit, as the product's compensator computes it
-/// (planner/compensation). A path without G41 and G42 stays unchanged. The machine refuses elements
-/// that cannot be driven. Here, the path instead continues straight from the last element that can
-/// be driven, and `refused` contains the line numbers.
+/// Returns the path of a program with G41 and G42 applied. It is offset from the programmed path by
+/// half the width of the tool or the cut, with entry and exit, as the product's compensator
+/// computes it (planner/compensation). A path without G41 and G42 stays unchanged. The machine
+/// refuses elements that cannot be driven. Here, the path instead continues straight from the last
+/// element that can be driven, and `refused` contains the line numbers.
 [[nodiscard]] ProgrammedPath beside_path(ProgrammedPath programmed);
 
 }  // namespace sim

@@ -28,7 +28,7 @@ void CourseHeat::on_row(const TraceRow& row) {
     ahead_[axis].add(edge);
     steps_[axis] = row.position[axis];
   }
-  // The output may have just gone off, but it was on along the path up to this position.
+  // The output may have just gone off, but it was on during the motion to this position.
   here.light = static_cast<double>(std::max(duty_, row.duty));
   duty_ = row.duty;
   if (here.light > 0.0) lit_.push_back(here);

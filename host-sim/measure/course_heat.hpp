@@ -12,9 +12,9 @@ namespace sim {
 
 /// Measures the light on each millimetre along the motors' own path in X and Y. This path may
 /// differ from the programmed path. The light per millimetre is the output divided by the speed.
-/// The speed is measured from a millisecond before to a millisecond after the position. Use it for
-/// motors that leave the programmed path, where EnergyMeter has no positions. It does not resolve
-/// times below two milliseconds or speeds below 2.5 mm/s.
+/// The speed is measured from a millisecond before to a millisecond after the position. Use
+/// CourseHeat for motors that leave the programmed path, because EnergyMeter measures only on that
+/// path. CourseHeat does not resolve times below two milliseconds or speeds below 2.5 mm/s.
 class CourseHeat final : public TraceSink {
  public:
   /// Receives a position in mm, and the seconds of full output per mm at this position.

@@ -26,7 +26,7 @@ void CourseMeter::advance(double time_s) {
   const double quiet = last_edge_s_ + kQuietWindows * window_s_;
   sample_until(std::min(certain, quiet));
   if (certain <= quiet) return;
-  // A long pause contains no motion. Continue at its end with an empty memory.
+  // A long pause contains no motion. The measurement continues at its end with an empty memory.
   count_ = 0;
   next_sample_s_ = certain;
 }

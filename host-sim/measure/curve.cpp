@@ -29,7 +29,7 @@ PlaneVectors::PlaneVectors(const cnc::ArcPlane& plane) {
   std::copy(frame.first.begin(), frame.first.end(), first_.begin());
   std::copy(frame.second.begin(), frame.second.end(), second_.begin());
   if (!plane.oblique()) return;
-  // The vectors of the frame are perpendicular only in single precision.
+  // The vectors of the arc's frame are unit vectors and perpendicular only to single precision.
   const double size = norm(first_);
   for (double& share : first_) share /= size;
   const double along = dot(first_, second_);

@@ -37,7 +37,7 @@ class PlaneVectors {
 };
 
 /// The circular part of an arc or a helix, in the coordinates of its plane. In a coordinate plane,
-/// the two vectors are those of its axes, in the order of axes_of(plane).
+/// the two vectors of the plane are the directions of its axes, in the order of axes_of(plane).
 struct Circle {
   cnc::ArcPlane plane{};
   PlaneVectors vectors{};

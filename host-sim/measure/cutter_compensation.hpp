@@ -61,7 +61,7 @@ class CutterCompensation {
 
   bool laser_;
   CutWidth width_;
-  std::array<double, kTools + 1> radii_{};  ///< Radii by the number of the tool, mm.
+  std::array<double, kTools + 1> radii_{};  ///< Radius of each tool, indexed by its number, mm.
   double tool_ = 0.0;
   CutCondition condition_{};
   double offset_mm_ = 0.0;

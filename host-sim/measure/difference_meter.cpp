@@ -61,7 +61,8 @@ void DifferenceMeter::settle_latest() {
 }
 
 std::optional<std::size_t> DifferenceMeter::window_before(std::size_t age, bool exact_only) const {
-  // By rounding, a fix that is exactly a window older may seem nearer.
+  // Because of rounding, the age of a fix that is exactly a window older may seem to be less than a
+  // window.
   const double least = window_s_ * (1.0 - 1.0e-6);
   const std::size_t kept = std::min(count_, kCapacity);
   for (std::size_t older = age + 1; older < kept; ++older) {

@@ -49,7 +49,8 @@ class DifferenceMeter {
   [[nodiscard]] double time_of_greatest_s() const { return time_s_; }
 
  private:
-  // Three windows and the gap between them, with two fixes in each sixteenth of a window.
+  // Greatest number of stored fixes. They cover three windows and the gap between them, with two
+  // fixes in each sixteenth of a window.
   static constexpr std::size_t kCapacity = 128;
   static constexpr double kFixesPerWindow = 16.0;
 
@@ -68,7 +69,7 @@ class DifferenceMeter {
   std::array<AxisFix, kCapacity> fixes_{};
   std::size_t count_ = 0;
   /// The last edge. It becomes a fix if it is far enough from the last fix, or if the axis pauses
-  /// after it.
+  /// after the edge.
   std::optional<AxisFix> latest_;
   double greatest_ = 0.0;
   double time_s_ = 0.0;

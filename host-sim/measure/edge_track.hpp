@@ -26,8 +26,8 @@ class EdgeTrack {
   /// @param start position before the first edge
   EdgeTrack(double window_s, double start) : window_s_{window_s}, start_{start} {}
 
-  /// Greatest duration of the half step to a rest, in windows. A slower axis appears as a pause.
-  /// Its acceleration is at most step / (16 windows)².
+  /// Greatest duration of the half step to a rest, in windows. If an axis takes longer, it counts
+  /// as paused. Its acceleration is at most step / (16 windows)².
   static constexpr double kLongestSettling = 16.0;
 
   /// Returns the age up to which a new edge may still change the course, s.

@@ -51,8 +51,8 @@ void EnergyMeter::pass_to(std::uint64_t time_ns) {
   light_ += light * seconds;
 }
 
-/// Returns the fraction of the piece for this row. If several steps went out together, the step
-/// that was due first counts, because the other steps came early.
+/// Returns the fraction of the piece for this row. If several motors step at the same time, the
+/// step that was due first counts, because the other steps came early.
 std::optional<double> EnergyMeter::fraction_at(const PathFollower::Match& match,
                                                const cnc::AxisArray<std::int32_t>& position) const {
   std::optional<double> earliest;

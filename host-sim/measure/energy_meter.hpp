@@ -15,7 +15,7 @@ namespace sim {
 /// programmed.
 struct EnergyFigures {
   double least = 0.0;
-  double mean = 0.0;  ///< Sum of all light divided by the sum of all programmed light.
+  double mean = 0.0;  ///< Sum of the measured light divided by the sum of the programmed light.
   double greatest = 0.0;
   /// Position of the greatest value along the programmed path: the end of its window, mm.
   double greatest_at_mm = 0.0;

@@ -7,8 +7,8 @@ namespace sim {
 
 namespace {
 
-/// Greatest sweep of half a turn, radians. It slightly exceeds π, because corrected arcs may exceed
-/// half a turn slightly.
+/// Greatest sweep that counts as half a turn, radians. It slightly exceeds π, because corrected
+/// arcs may turn by slightly more than half a turn.
 constexpr double kHalfTurn = 3.2;
 
 }  // namespace
@@ -38,7 +38,7 @@ bool HelixDistance::stationary(double fraction, double from) const {
 }
 
 double HelixDistance::refined(double fraction, double low, double high) const {
-  constexpr int kSteps = 12;  // Convergence is quadratic: near the curve, 5 steps are enough.
+  constexpr int kSteps = 12;  // Near the curve, 5 Newton steps are enough.
   for (int i = 0; i < kSteps; ++i) {
     const double rate = half_slope_rate(fraction);
     if (rate <= 0.0) break;

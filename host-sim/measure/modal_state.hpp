@@ -89,7 +89,7 @@ class ModalState {
   bool inverse_time_ = false;
   double feed_word_ = 0.0;
   bool feed_in_inches_ = false;
-  bool stops_at_corners_ = false;        ///< G61.1
+  bool stops_at_corners_ = false;        ///< Whether G61.1 is active.
   std::optional<double> corner_word_{};  ///< Tolerance for corners, P of G64, mm.
   std::optional<double> weld_word_{};    ///< Tolerance for joining short lines, Q of G64, mm.
   std::size_t system_ = 0;

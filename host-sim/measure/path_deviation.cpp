@@ -47,8 +47,8 @@ const PathPiece* PathDeviation::present_piece() const {
 double PathDeviation::distance_to_end() const { return distance(last_, path_->end); }
 
 bool PathDeviation::reached_last_piece() const {
-  // Greatest distance by which the place may trail the machine, in steps. With tiny pieces, this
-  // distance spans many pieces.
+  // Greatest distance by which the place of the PathFollower may trail the machine, in steps. With
+  // tiny pieces, this distance spans many pieces.
   constexpr double kTrail = 4.0;
   double left = 0.0;
   for (std::size_t i = follower_.piece() + 1; i < path_->pieces.size(); ++i) {

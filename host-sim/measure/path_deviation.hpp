@@ -20,8 +20,9 @@ struct DeviationPeak {
 ///
 /// There are two measures. The distance is Euclidean over the axes. On an ideal machine, it is up
 /// to half the diagonal of a step, because the motors rest on full steps. The axis excess removes
-/// this part. For the best point of the path, it is the distance of an axis from this point minus
-/// half a step. On an ideal machine, it is at most 0.
+/// this part. At each point of the path, it takes the greatest distance of an axis from this point
+/// minus half a step. The axis excess is the least of these values over the path. On an ideal
+/// machine, it is at most 0.
 ///
 /// The rows must begin at the start of the path. A position many steps away from the path is also
 /// measured well. If a machine skips a part of the path, its position on the path is only an

@@ -7,14 +7,14 @@
 namespace sim {
 namespace {
 
-/// Excess distance at which the search ahead ends, in step diagonals. The tolerance by which
-/// corners or tips of curves may be cut is added to it. The excess exceeds the two steps by which
-/// the place may trail.
+/// Distance beyond the smallest distance so far at which the search ahead ends, in step diagonals.
+/// The tolerance by which corners or tips of curves may be cut is added to this value. It exceeds
+/// the two steps by which the place may trail.
 constexpr double kWindowSteps = 3.0;
 
-/// Excess distance up to which a point counts as being as near as the nearest point, in step
-/// diagonals. It is slightly more than half a diagonal, by which the motors of an ideal machine are
-/// off.
+/// Distance beyond that of the nearest point up to which another point counts as equally near, in
+/// step diagonals. It is slightly more than half a diagonal, by which the motors of an ideal
+/// machine are off.
 constexpr double kTieSteps = 0.55;
 
 /// Distance by which the place stays before the nearest point of its piece, in step diagonals.
@@ -123,8 +123,9 @@ double PathFollower::excess_between(
 // Returns the excess on one piece. Along a line, the excess is convex. Where an arc just touches
 // the edge of a step, the excess has more than one minimum. Therefore the search is done in parts.
 double PathFollower::piece_excess(const Point& position, const Match& match, double enough) const {
-  // Parts of the four steps around the nearest point, in order outwards from this point. A point
-  // with an excess of at most `enough` is likely to be near it.
+  // The four steps around the nearest point are divided into eight parts. They are searched in this
+  // order, from the nearest point outwards. A point with an excess of at most `enough` is likely to
+  // be near it.
   constexpr std::array kParts{3, 4, 2, 5, 1, 6, 0, 7};
   const Curve& curve = this->curve(match.piece);
   const double reach = 2.0 * step_size_ / curve.length();

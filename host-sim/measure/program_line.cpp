@@ -56,8 +56,8 @@ void add_word(ProgramLine& line, char letter, double value) {
   }
 }
 
-/// Returns whether the rest of the line is ignored: after a slash, and in the name of a program.
-/// Removes a slash that has no effect.
+/// Returns whether the rest of the line is ignored, because it follows a slash or is the name of a
+/// program. Removes a slash that has no effect.
 bool skips(std::string_view& rest, bool block_delete) {
   if (rest.starts_with('/')) {
     if (block_delete) return true;

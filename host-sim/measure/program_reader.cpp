@@ -237,7 +237,8 @@ void ProgramReader::move_straight(const Point& to, Travel travel) {
   if (travel == Travel::kProbe) stop_pending_ = true;
 }
 
-/// Adds as many equal parts as there are powers. With G93, F applies to the complete line.
+/// Divides a motion into equal parts, one for each power of the line, and adds them. With G93, F
+/// applies to the complete line.
 void ProgramReader::move_in_parts(const ProgramLine& line, const Point& to) {
   const Point from = position_;
   const Curve whole = Curve::line(from, to);
@@ -280,7 +281,8 @@ void ProgramReader::note_third_offset(const ProgramLine& line) {
 
 void ProgramReader::add_piece(const Curve& curve, Travel travel, double feed) {
   path_.end = position_ = curve.end();
-  // From an offset position, a motion to the programmed position also leads back to the path.
+  // After G40 the tool is still offset. A motion to its programmed position has no programmed
+  // length, but leads back to the path.
   const bool nowhere = curve.length() <= 0.0;
   if (nowhere && !is_beside_) return;
   const cnc::PlaneAxes axes = cnc::axes_of(modes_.plane());

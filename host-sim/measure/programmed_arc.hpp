@@ -26,7 +26,7 @@ struct ProgrammedArc {
 /// Returns the signed angle of the arc about the programmed centre, radians. The arc is a full
 /// circle if start and end are the same point in the plane, or are in the same direction from the
 /// centre. It is also a full circle if the end is within a micrometre of the start and the angle
-/// between them is at most 5e-7 (cnc::CentreArc).
+/// between both is at most 5e-7 radians (cnc::CentreArc).
 [[nodiscard]] double sweep_of(const ProgrammedArc& arc);
 
 /// Returns the exact curve of the arc as pieces of equal angles of at most half a turn. At the

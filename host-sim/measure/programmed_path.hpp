@@ -60,7 +60,7 @@ struct ReadNote {
 /// The lines of two motions that G41 or G42 cannot drive offset from the programmed path.
 struct RefusedBeside {
   int line = 0;
-  int other_line = 0;  ///< Line of the other motion in the conflict; 0 if there is none.
+  int other_line = 0;  ///< Line of the second motion of the conflict; 0 if there is none.
 };
 
 /// The path that a program describes, in machine coordinates and double precision.
@@ -83,7 +83,7 @@ struct ReadOptions {
   bool stop_at_output = false;   ///< Whether the machine stops at M62…M65, M67 and M68.
   bool optional_stop = false;    ///< Whether the machine stops at M1.
   double path_tolerance = 0.0;   ///< Tolerance if the program sets none, mm ($11).
-  double arc_tolerance = 0.0;    ///< Part of that tolerance for joining short lines, mm ($12).
+  double arc_tolerance = 0.0;    ///< Part of path_tolerance for joining short lines, mm ($12).
   Point start{};                 ///< Position of the machine at the start, in machine coordinates.
   /// Returns the kerf of a material. If it is empty, G41 and G42 by the kerf are ignored.
   CutWidth kerf_width{};

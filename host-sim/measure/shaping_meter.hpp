@@ -7,9 +7,9 @@
 
 namespace sim {
 
-/// Measures the greatest distance by which input shaping takes the tool from its planned path. For
-/// each cell, it is the distance of the shaped position from the planned positions within the reach
-/// of the shapers.
+/// Measures the greatest distance by which input shaping takes the tool from its planned path. In
+/// each cell, this is the distance of the shaped position from the planned positions within the
+/// reach of the shapers.
 ///
 /// Between the ends of cells, which are at most 1 ms apart, the planned path counts as straight. On
 /// an arc with an acceleration a, the straight line is off by a (1 ms)² / 8. The measure includes

@@ -261,7 +261,7 @@ void OrderReader::number_groups() {
   for (const auto& [first, then] : pairs_) {
     if (first == then)
       words_.fail(fmt::format("group {} must come before itself; leave this pair out", first));
-    if (set_of[first] == 0) continue;  // Home comes first anyway.
+    if (set_of[first] == 0) continue;  // Home is always the first set, so the pair adds nothing.
     if (set_of[then] == 0) {
       words_.fail(fmt::format(
           "group {} must come before the start group {}; leave this pair out", first, then));

@@ -24,19 +24,20 @@ struct OrderProblem {
   /// First candidate of each set, then the number of candidates.
   std::vector<cnc::order::Index> first_candidate;
   /// For each candidate, the candidate that cuts the same contour backwards. Empty if each
-  /// candidate is its own reversal.
+  /// candidate equals its own reversal.
   std::vector<cnc::order::Index> reversed;
   std::vector<cnc::order::Before> pairs;
   Metric metric = Metric::kPlane;
   /// Entry point of each candidate; empty if there is a matrix.
   std::vector<cnc::order::Place> entry;
-  /// Exit point of each candidate; empty if all are the entries.
+  /// Exit point of each candidate; empty if the exit of each candidate is its entry.
   std::vector<cnc::order::Place> exit;
   /// Costs of all legs; a row holds the legs from one candidate.
   std::vector<double> matrix;
   bool is_symmetric = true;
   bool is_home_closed = true;
-  /// Number that the file gives to each candidate, and to each set.
+  /// Number that the file gives to each candidate (`vertex_numbers`) and to each set
+  /// (`group_numbers`).
   std::vector<std::uint32_t> vertex_numbers;
   std::vector<std::uint32_t> group_numbers;
 

@@ -70,13 +70,14 @@ class OrderRun {
 
  private:
   static constexpr double kUsualSeconds = 1.0;
-  static constexpr double kEndless = 1.0e12;  ///< Time limit of a run without a limit, s.
+  static constexpr double kEndless = 1.0e12;  ///< Time limit that stands for unlimited time, s.
   // Shares of the run at which the first search ends and at which the search for a proof ends. A
   // second search uses the rest of the run.
   static constexpr double kFirstShare = 0.3;
   static constexpr double kProofShare = 0.7;
   static constexpr std::uint64_t kChunk = 16;
-  /// Number of neighbours of each set. A greater number costs more time than it gains.
+  /// Number of neighbours of each set that the search considers. With more neighbours, the search
+  /// takes more time than the better order is worth.
   static constexpr Index kWidth = 8;
   static constexpr std::uint64_t kStepsBeforeProof = 600;
   /// Greatest memory of a proof that is part of a search, bytes.
@@ -232,7 +233,7 @@ void OrderRun<Cost>::prove_only() {
   find_nearest();
   offer(start_->order, start_->chosen);
   if (problem_->sets() < 3) {
-    // One or two sets have only one order. The proof below chooses the candidates of two sets.
+    // One or two sets have only one order. For two sets, the proof below chooses the candidates.
     if (problem_->sets() == 1) result_.is_proven = true;
   } else {
     find_neighbours();

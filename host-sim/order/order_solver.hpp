@@ -44,7 +44,7 @@ struct OrderOptions {
 struct OrderResult {
   double cost = 0.0;
   std::vector<cnc::order::Index> order;       ///< Sets in the order of the tour, home first.
-  std::vector<cnc::order::Index> candidates;  ///< Chosen candidates in the same order.
+  std::vector<cnc::order::Index> candidates;  ///< Chosen candidates in the order of `order`.
   std::uint64_t steps = 0;
   bool is_proven = false;  ///< Whether a proof shows that no tour is cheaper.
   std::vector<cnc::order::AnnealingPoint> course;

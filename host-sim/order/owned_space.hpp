@@ -17,7 +17,7 @@ class OwnedSpace {
   explicit OwnedSpace(const Sizes& sizes) {
     const std::size_t words =
         (cnc::order::bytes_for<Space>(sizes) + sizeof(double) - 1) / sizeof(double);
-    // NOLINTNEXTLINE(modernize-avoid-c-arrays): a vector would write all of it.
+    // NOLINTNEXTLINE(modernize-avoid-c-arrays): a vector would write to the entire block.
     block_ = std::make_unique_for_overwrite<double[]>(words);
     space_ =
         cnc::order::space_in<Space>(std::as_writable_bytes(std::span{block_.get(), words}), sizes);

@@ -7,7 +7,7 @@ namespace {
 
 using cnc::order::Index;
 
-/// Determines which sets must come before which, directly or by a chain of pairs.
+/// Determines whether one set must come before another, directly by a pair or by a chain of pairs.
 class Reach {
  public:
   explicit Reach(const OrderProblem& problem) : after_(problem.sets()), known_(problem.sets()) {

@@ -22,7 +22,8 @@ using cnc::WideVec2;
 using cnc::pocket::MovingDisc;
 using cnc::pocket::ToolCircle;
 
-/// Thickness of the stock that is left to the passes along the walls, also in corners, mm.
+/// Slack of the medial axis (AxisOptions::slack_mm), mm. Dropped branches leave stock of at most
+/// this thickness to the passes along the walls, also in corners.
 constexpr double kAxisMm = 2.0e-4;
 /// Greatest deviation of the computed axis from the middle of a cusp, mm. In the cusp of a corner,
 /// crescents end at a distance from the tip: this deviation divided by the sine of half the angle.

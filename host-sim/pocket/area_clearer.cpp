@@ -110,7 +110,7 @@ void AreaClearer::clear_piece(std::size_t index, std::vector<Frame>& frames) {
   const bool is_dead_end = at_node_[end].size() == 1 && end != frame.node;
   is_taken_[index] = true;
   CourseDrive done = driver_.drive(course, frame.circle, is_dead_end);
-  // Around an island, the tool is back on the circle from which it started.
+  // If the course leads around an island, the tool is back on the circle from which it started.
   if (done.is_complete && end == frame.node) done.way_back.clear();
   const bool goes_on = done.is_complete && !is_reached_[end];
   // Crescents end before the tip of a corner. The tip must not get its own entry.
@@ -122,7 +122,7 @@ void AreaClearer::clear_piece(std::size_t index, std::vector<Frame>& frames) {
   }
 }
 
-/// Drives the return that is still to be driven. Lifts the tool instead if the return is too long.
+/// Drives the pending return (`way_back_`). Lifts the tool instead if the return is too long.
 void AreaClearer::return_to(const ToolCircle& circle) {
   std::vector<WideVec2> places;
   for (const ToolCircle& disc : way_back_) places.push_back(disc.centre);
@@ -138,7 +138,7 @@ void AreaClearer::return_to(const ToolCircle& circle) {
 }
 
 void split_at_widest(CarveGraph& graph) {
-  constexpr double kWider = 1.0e-6;  // mm.
+  constexpr double kWider = 1.0e-6;  // mm, above rounding errors.
   const std::size_t count = graph.pieces.size();
   for (std::size_t i = 0; i < count; ++i) {
     const std::vector<AxisPoint> points = graph.pieces[i].points;

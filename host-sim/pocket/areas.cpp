@@ -13,7 +13,7 @@
 namespace sim::pocket {
 namespace {
 
-/// Number of search steps for each path, and greatest number in total.
+/// Number of steps of the search for the order, for each path, and greatest total number of steps.
 constexpr std::uint64_t kStepsOfPath = 200;
 constexpr std::uint64_t kMaxSteps = 200'000;
 

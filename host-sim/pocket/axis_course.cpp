@@ -17,7 +17,7 @@ constexpr double kMaxApart = 0.95;
 bool is_allowed(const ToolCircle& cleared, const ToolCircle& next, const StepLimits& limits) {
   if (next.radius < limits.min_circle_mm) return false;
   const double distance = (next.centre - cleared.centre).norm();
-  // The tool has already cleared all of this circle.
+  // The disc of the next circle is completely within the cleared disc.
   if (distance + next.radius <= cleared.radius) return true;
   if (distance > kMaxApart * (cleared.radius + next.radius)) return false;
   if (!crescent_between(cleared, next).exists) return false;

@@ -11,7 +11,8 @@ namespace sim::pocket {
 
 /// A piece of the medial axis as a function of the length along the piece. At each length, it has a
 /// circle around the point of the axis. The circle's radius is the radius of the greatest disc
-/// there minus the tool's radius. A tool whose centre is on this circle reaches the boundary.
+/// around this point in the area, minus the tool's radius. A tool whose centre is on this circle
+/// reaches the boundary.
 class AxisCourse {
  public:
   /// @param points at least two

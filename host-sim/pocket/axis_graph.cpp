@@ -23,7 +23,7 @@ void construct(const ChordRows& rows, Diagram& diagram) {
   builder.construct(&diagram);
 }
 
-/// Copies those vertices and edges of a diagram that lie in the area.
+/// Copies the vertices and edges of a diagram that are in the area.
 class GraphReader {
  public:
   GraphReader(const OwnedArea& area,
@@ -67,8 +67,8 @@ class GraphReader {
     BoundarySite left = site_of(*edge.cell());
     BoundarySite right = site_of(*edge.twin()->cell());
     const bool is_real = smooth_.may_share_disc(left, right);
-    // The graph compares distances from two elements. At a corner, use the element that the other
-    // site does not have.
+    // The graph stores one element for each of the two sites of an edge. A corner has two elements:
+    // the graph stores the element that the other site does not have.
     if (right.has(left.element)) std::swap(left.element, left.other);
     if (left.has(right.element)) std::swap(right.element, right.other);
     graph_.edges.push_back({from, to, left.element, right.element, is_real});

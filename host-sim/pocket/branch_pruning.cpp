@@ -46,7 +46,7 @@ class BranchPruner {
         is_wider};
     for (std::uint32_t i = 0; i < degrees_.size(); ++i) {
       if (degrees_[i] == 1) leaves.push(i);
-      if (degrees_[i] == 0) dropped_[i] = true;  // This node never had an edge in the area.
+      if (degrees_[i] == 0) dropped_[i] = true;  // The node has no edge in the area.
     }
     while (!leaves.empty()) {
       const std::uint32_t leaf = leaves.top();
@@ -71,8 +71,8 @@ class BranchPruner {
     return kNoNode;
   }
 
-  /// Removes the branch that ends at `leaf`, as long as the removed discs reach at most the slack
-  /// beyond the rest. Returns the node at which the removed part ended.
+  /// Removes edges from `leaf` on, as long as the removed discs reach beyond the remaining discs by
+  /// at most the slack. Returns the node at which the removed part ended.
   std::uint32_t prune_from(std::uint32_t leaf) {
     if (degrees_[leaf] != 1) return kNoNode;
     path_.clear();
@@ -90,7 +90,8 @@ class BranchPruner {
       if (is_real) excess += reach_beyond(node, to);
       excess = std::max(excess, excess_[to]);
       widest = std::max(widest, graph_.nodes[to].radius);
-      // Beyond the middle of a circle, the path would follow the branch to another joint.
+      // If the radius falls along a false edge, the path has passed the middle of a circle and
+      // would follow the branch to another joint.
       const bool narrows = graph_.nodes[to].radius < widest - slack_mm_;
       if (excess > slack_mm_ || (!is_real && narrows)) {
         path_.resize(false_edges);

@@ -61,7 +61,7 @@ class AxisClipper {
   }
 
   [[nodiscard]] bool is_kept(const AxisPoint& point) const {
-    constexpr double kRounding = 1.0e-9;  // mm.
+    constexpr double kRounding = 1.0e-9;  // Rounding error of a radius, mm.
     return is_within(point.radius - (part_ == KeptPart::kNarrow ? kRounding : -kRounding));
   }
 
@@ -146,7 +146,8 @@ class LineFitter {
     for (std::size_t i = from + 1; i < end; ++i) {
       const WideVec2 q = points[i].place - a.place;
       const double share = square > 0.0 ? chord.dot(q) / square : 0.0;
-      // The axis turns back here: along the line, the points would go backwards.
+      // The axis turns back at this point: the projections of the points onto the line would go
+      // backwards.
       if (share < min_share || share > 1.0) return false;
       min_share = share;
       const double radius = a.radius + share * (b.radius - a.radius);
@@ -164,7 +165,8 @@ class LineFitter {
   double share_mm_;
 };
 
-/// Gives all pieces that meet at a node the same radius there: the least of their radii.
+/// Gives all pieces the same radius at the node at which they meet: the least of their radii at
+/// this node.
 void share_nodes(CarveGraph& graph) {
   for (CarvePiece& piece : graph.pieces) {
     for (const auto& [node, end] : {std::pair{piece.from, &piece.points.front()},

@@ -75,7 +75,8 @@ CourseDrive CrescentDriver::drive(const AxisCourse& course,
       next = next_crescent(course, s, circle, limits_);
       if (next < s + kMinProgressMm) break;
       if (is_free(course.circle_at(next))) {
-        // The next crescent begins on the disc at `next`. The tool is not in this disc, but up.
+        // The next crescent begins on the disc at `next`. The tool does not move there: it stays up
+        // until it descends for this crescent.
         done.way_back.push_back(course.circle_at(next));
         take_free_disc(course.circle_at(next));
       } else {
@@ -115,8 +116,8 @@ void CrescentDriver::list_tip(const AxisCourse& course, double from) {
   out_.narrow.push_back(tip);
 }
 
-/// Returns the length up to which the discs from `from` on are free of stock. The tool stays up
-/// there.
+/// Returns the length along the course up to which the discs from `from` on are free of stock. On
+/// this part, the tool stays up.
 double CrescentDriver::end_of_free(const AxisCourse& course, double from, CourseDrive& done) {
   const double step = 0.05 * limits_.tool_radius_mm;
   double end = from;

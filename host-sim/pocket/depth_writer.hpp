@@ -4,8 +4,8 @@
 
 namespace sim::pocket {
 
-/// Distance below which two points, or a point and a circle, count as equal, mm. Such distances
-/// come only from rounding.
+/// Distance below which two points, or a point and a circle, count as equal, mm. Distances below
+/// this value come only from rounding.
 inline constexpr double kSamePlaceMm = 1.0e-9;
 
 /// Writes rows of a path with all passes at one depth.

@@ -6,9 +6,9 @@
 namespace sim::pocket {
 
 /// Returns an approach: a line from the point `from`, then an arc from the end of this line into
-/// the cut `cut`. On both, the tool stays in the area. The radius of the arc is the first that fits
-/// of kTurnOfTool times the tool's radius, half of it, a quarter and so on. Returns none where no
-/// arc fits.
+/// the cut `cut`. On both, the tool stays in the area. These radii of the arc are tried until one
+/// fits: kTurnOfTool times the tool's radius, half of it, a quarter and so on. Returns none where
+/// no arc fits.
 [[nodiscard]] Approach fitting_approach(const cnc::WideVec2& from,
                                         const Pose& cut,
                                         const OwnedArea& area,

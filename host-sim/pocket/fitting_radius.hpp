@@ -11,7 +11,8 @@ inline constexpr double kSlotSlackMm = 1.0e-3;
 /// Returns the radius with which a tool fits into a pocket; 0 where the tool fits nowhere.
 /// Normally, it is the tool's own radius. It is less by half of kSlotSlackMm if the pocket is a
 /// slot as wide as the tool within kSlotSlackMm. An arm of the pocket that is such a slot, and
-/// longer than the tool's radius, has the same effect. The walls then lose half of kSlotSlackMm.
+/// longer than the tool's radius, has the same effect. With the smaller radius, the tool cuts into
+/// the walls by half of kSlotSlackMm.
 [[nodiscard]] double fitting_radius(const cnc::contour::ContourView<double>& pocket,
                                     double tool_radius_mm,
                                     ContourOffset& offsetter);

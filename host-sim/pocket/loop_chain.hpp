@@ -31,9 +31,10 @@ class PassTree {
   /// Returns `pass` and all passes within it.
   [[nodiscard]] std::vector<std::uint32_t> within(std::uint32_t pass) const;
 
-  /// Returns the loop around `inner` if only a ring is between the two loops. For that, the pass
-  /// around must have exactly one pass within it, and both passes must have the same number of
-  /// loops. Returns none if that pass is at the wall, because wall passes are driven as full loops.
+  /// Returns the loop around `inner` if only a ring is between the two loops. This requires that
+  /// the outer pass has exactly one pass within it, and that both passes have the same number of
+  /// loops. Returns none if the outer pass is at the wall, because wall passes are driven as full
+  /// loops.
   [[nodiscard]] std::optional<PassLoop> around(const PassLoop& inner) const;
 
  private:

@@ -20,8 +20,8 @@ inline constexpr double kTouchMm = 1.0e-4;
     const cnc::contour::ContourView<double>& contour, std::size_t loop);
 
 /// Returns a point of a loop that does not touch another loop: a vertex, or the middle of an
-/// element. The point decides whether `loop` lies in `other`. Returns none if all of these points
-/// touch the other loop.
+/// element. Callers use this point to decide whether `loop` is inside of `other`. Returns none if
+/// all of these points touch the other loop.
 [[nodiscard]] std::optional<cnc::WideVec2> place_off_loop(
     const cnc::contour::ContourView<double>& contour, std::size_t loop, std::size_t other);
 

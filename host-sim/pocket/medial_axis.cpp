@@ -23,8 +23,9 @@ class ChainRefiner {
   ChainRefiner(const OwnedArea& area, double tolerance_mm)
       : area_{area}, tolerance_mm_{tolerance_mm} {}
 
-  /// Returns whether an edge is outside of the area, although both its nodes count as inside. The
-  /// nearest point of such a node is where hairs of the boundary meet, and these decide wrongly.
+  /// Returns whether an edge is outside of the area, although both its nodes count as inside. At
+  /// the boundary point nearest to such a node, hair-thin parts of the boundary meet. There, the
+  /// test on which side of the boundary the node is may fail.
   [[nodiscard]] bool is_outside(const AxisPoint& from,
                                 const AxisPoint& to,
                                 const AxisEdge& edge) const {
@@ -121,8 +122,8 @@ class ChainMaker {
     for (std::uint32_t i = 0; i < at_node_.size(); ++i) {
       if (at_node_[i].size() != 2) begin_at(i);
     }
-    // The remaining edges form loops without a branch or an end. Any of their nodes becomes a node
-    // of the axis.
+    // The remaining edges form loops without a branch or an end. In each loop, an arbitrary node
+    // becomes a node of the axis.
     for (std::uint32_t i = 0; i < at_node_.size(); ++i) {
       if (at_node_[i].size() == 2 && !used_[at_node_[i].front()]) begin_at(i);
     }

@@ -95,8 +95,8 @@ class RowWriter {
     write_flat(stroke, from, to);
   }
 
-  /// Writes an arc as lines that are within half of the last digit of it. Used for an arc so flat
-  /// that its centre is out of range.
+  /// Writes an arc as lines that deviate from it by at most half a unit of the last written digit.
+  /// Used for an arc so flat that its centre is out of range.
   void write_flat(const cut::Stroke& stroke, const Point& from, const Point& to) {
     const double height = 0.5 * std::abs(stroke.bulge) * drawing::distance(stroke.from, stroke.to);
     const double lines = std::ceil(std::sqrt(2.0 * height / digit_mm_));

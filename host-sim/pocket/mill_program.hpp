@@ -11,8 +11,8 @@ namespace sim::pocket {
 
 enum class Coolant : std::uint8_t {
   kOff,
-  kMist,   ///< M7.
-  kFlood,  ///< M8.
+  kMist,   ///< Mist: M7.
+  kFlood,  ///< Flood: M8.
 };
 
 /// Settings with which a mill drives a tool path.
@@ -27,7 +27,8 @@ struct MillSettings {
   double spin_up_s = 0.0;      ///< Dwell after the spindle start, s.
   Coolant coolant = Coolant::kOff;  ///< Coolant during the cut; it is switched off at the end.
   /// Number of the tool whose radius offsets the path between lead-in and lead-out; 0: no offset.
-  /// This radius is the radius of the tool in use minus the radius of the tool in the path.
+  /// Its radius in the tool table is a difference: the radius of the tool in use minus the radius
+  /// for which the path was computed.
   std::uint32_t wear_tool = 0;
   bool wears_to_left = true;  ///< True: G41, offset to the left. False: G42, to the right.
   double safe_mm = 5.0;       ///< Height (Z) of rapids in the plane, mm; above 0.

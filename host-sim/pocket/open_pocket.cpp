@@ -60,7 +60,8 @@ StockBox far_around(const StockBox& stock, double tool_radius_mm) {
 /// Returns the area in which the tool's centre is while the tool touches no stock.
 Contour idle_area(const StockBox& stock, double tool_radius_mm) {
   ContourOffset offsetter;
-  // The smaller distance prevents passes around the entire stock, which would remove only the skin.
+  // The distance is smaller than the tool's radius. This prevents passes around the entire stock,
+  // which would remove only the skin.
   const double reach_mm = tool_radius_mm - 2.0 * kStockSkinMm;
   const Contour near_stock = copy_of(offsetter.offset(edge_of(stock).view(), reach_mm));
   return box_without(far_around(stock, tool_radius_mm), near_stock);

@@ -32,8 +32,8 @@ using cnc::pocket::PaperFault;
 }
 
 /// Returns an upper bound of the number of loops. Each loop is at least one tool radius inside of
-/// the previous loop on both sides. Arcs may reach beyond the vertices, but not twice as far in a
-/// pocket that the method supports.
+/// the previous loop on both sides. Arcs may reach beyond the vertices. In a pocket that the method
+/// supports, they are less than twice as far from the middle as the vertices.
 std::size_t max_loops_of(const cnc::contour::ContourView<double>& pocket, double tool_radius_mm) {
   double left = std::numeric_limits<double>::infinity();
   double right = -left;

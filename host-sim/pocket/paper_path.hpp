@@ -7,7 +7,7 @@
 
 namespace sim::pocket {
 
-/// Path of one level by the method of paper 5.
+/// Path of one level by the method of paper 5 (Oh and Kwon 2003).
 struct PaperPath : PathRows {
   std::uint32_t loops = 0;
 };

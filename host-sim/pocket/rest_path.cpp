@@ -6,8 +6,9 @@ StockParts rest_path(const cnc::contour::ContourView<double>& pocket,
                      double former_radius_mm,
                      const std::vector<Contour>& passes,
                      const PartOptions& options) {
-  // Distance by which the cleared area is reduced, mm, far below kThinRestMm. With growth by
-  // exactly the former tool's radius, the arcs of its centre around corners would become points.
+  // Distance by which the cleared area is reduced, mm, far below kThinRestMm. If the locus of the
+  // former tool were grown by exactly the tool's radius, the arcs of the locus around corners would
+  // become points.
   constexpr double kLessMm = 1.0e-4;
   ContourOffset offsetter;
   const Contour locus = copy_of(offsetter.offset(pocket, -options.tool_radius_mm));

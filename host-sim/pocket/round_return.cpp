@@ -87,7 +87,8 @@ void turn_towards(DepthWriter& writer,
   if (arc) arc->write(writer, arc->place_at(1.0));
 }
 
-/// Adds a line towards the centre of a disc, and an arc there into the direction of the next line.
+/// Adds a line towards the centre of a disc, and near this centre an arc into the direction of the
+/// next line.
 void round_corner(DepthWriter& writer,
                   const ToolCircle& corner,
                   const WideVec2& next,
@@ -141,7 +142,7 @@ WideVec2 Approach::place_at(double share) const {
 
 void go_back_round(DepthWriter& writer, const ToolCircle& disc, const Pose& next, double turn_mm) {
   Pose here{writer.place(), writer.heading()};
-  // Here the tool is at rest and may start in any direction.
+  // A null vector means that the tool is at rest and may start in any direction.
   if (here.direction == WideVec2{0.0, 0.0}) {
     const WideVec2 ahead = next.place - here.place;
     if (ahead.norm() <= kSamePlaceMm) return;

@@ -7,7 +7,7 @@
 
 namespace sim::pocket {
 
-/// A point of the tool's path and the direction of travel there, a unit vector.
+/// A point of the tool's path and the direction of travel at this point, a unit vector.
 struct Pose {
   cnc::WideVec2 place{0.0, 0.0};
   cnc::WideVec2 direction{1.0, 0.0};

@@ -19,8 +19,8 @@ enum class Side : std::uint8_t { kLeft, kRight };
   return side == Side::kLeft ? stretch.from_x : stretch.to_x;
 }
 
-/// Returns those stretches of the line along X at the height `y` that lie in an area, from left to
-/// right. A point where the line only touches the boundary does not divide a stretch.
+/// Returns the stretches of a line along X at the Y coordinate `y` that are in an area, from left
+/// to right. A point where the line only touches the boundary does not divide a stretch.
 [[nodiscard]] std::vector<Stretch> stretches_at(const OwnedArea& area, double y);
 
 /// Returns a box around an area. @pre the area has an element

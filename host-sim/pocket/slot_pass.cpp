@@ -21,8 +21,8 @@ Rounding fitting_rounding(const WideVec2& before,
                           const WideVec2& after,
                           const AreaDistance& area,
                           double tool_radius_mm) {
-  constexpr double kExcessMm = 1.0e-7;   // The same limit as in fits_in_line().
-  constexpr double kFlatBulge = 2.5e-5;  // Bulge of a turn of 0.006°.
+  constexpr double kExcessMm = 1.0e-7;   // Rounding error of a distance, mm.
+  constexpr double kFlatBulge = 2.5e-5;  // Flatter corners get no arc; 0.006°.
   double trim_mm = 0.5 * std::min((corner - before).norm(), (after - corner).norm());
   for (; trim_mm >= kMinTurnMm; trim_mm *= 0.5) {
     Rounding arc = rounding_of(before, corner, after, trim_mm);

@@ -49,8 +49,8 @@ std::vector<std::uint32_t> SmoothRows::numbered(const cnc::pocket::AreaDistance&
   std::vector<std::uint32_t> rows(area.element_count());
   std::uint32_t row = 0;
   for (std::uint32_t first = 0; first < rows.size();) {
-    // Goes around the loop, beginning at the start of a row, or at the first element if no row
-    // starts.
+    // Goes around the loop. It begins at the start of a row, or at the first element if the loop
+    // has no start of a row.
     std::uint32_t begin = first;
     std::uint32_t end = first;
     do {

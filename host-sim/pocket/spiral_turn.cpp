@@ -98,7 +98,7 @@ class TurnMaker {
   /// Appends arcs between two samples. Halves the parts until the arcs are within the tolerance.
   /// Returns false if the turn is impossible there.
   [[nodiscard]] bool add(const Sample& first, const Sample& last) {
-    // Ends of the parts that are still to be done. The end of the next part is the last item.
+    // Ends of the parts that arcs do not yet follow. The end of the next part is the last item.
     std::vector<Sample> ends{last};
     Sample from = first;
     while (!ends.empty()) {

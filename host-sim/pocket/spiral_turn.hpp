@@ -13,8 +13,8 @@ struct TurnOptions {
   double tolerance_mm = 1.0e-3;  ///< Tolerance of the arcs, mm.
   double widest_mm = 5.0;        ///< Greatest distance between two turns, mm.
   cnc::pocket::Milling milling = cnc::pocket::Milling::kClimb;
-  /// Positions of the begin and the end of the turn between the two loops: 0 on the inner loop, 1
-  /// on the outer loop.
+  /// Positions of the beginning and the end of the turn between the two loops: 0 on the inner loop,
+  /// 1 on the outer loop.
   double begin_share = 0.0;
   double end_share = 1.0;
 };

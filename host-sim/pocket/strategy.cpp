@@ -14,7 +14,7 @@ namespace sim::pocket {
 
 double margin_of(const StrategyOptions& options) {
   // Margins in tool radii. The tool moves beyond the edge by slightly more than its diameter.
-  // Crescents begin in discs that are twice as wide.
+  // Crescents begin in discs that are twice as wide as the tool.
   constexpr double kOfLoops = 2.5;
   constexpr double kOfCrescents = 4.0;
   const double radius_mm = options.pocket.clearing.tool_radius;
@@ -52,7 +52,7 @@ MilledPocket StrategyPlanner::mill_levels(const cnc::contour::ContourView<double
   ContourOffset offsetter;
   if (options_.former_radius_mm > 0.0) {
     const double former_mm = fitting_radius(pocket, options_.former_radius_mm, offsetter);
-    // Where the former tool does not fit, all stock is left, as without a former tool.
+    // If the former tool fits nowhere, all stock is left, as without a former tool.
     if (former_mm > 0.0) return mill_rest(pocket, former_mm);
   }
   if (options_.finish_mm == 0.0) return rough(pocket);

@@ -41,7 +41,7 @@ void check(const ZigzagOptions& options) {
 double turn_radius(const ZigzagOptions& options) {
   const double reach = options.tool_radius_mm - 0.5 * options.stepover_mm;
   const double most = std::min(kWidestTurn * options.stepover_mm, 0.5 * reach);
-  constexpr double kMin = 1.0e-4;  // mm.
+  constexpr double kMin = 1.0e-4;  // Least radius of a turn, mm.
   return most < kMin ? 0.0 : std::min(options.turn_radius_mm, most);
 }
 

@@ -17,7 +17,7 @@ constexpr double kOneTangent = 1.0e-4;
 constexpr double kNoSweep = 1.0e-6;
 
 /// Returns the end of one of the stretches, on the given side, that is nearest to `x`. Returns none
-/// if a stretch begins between this end and `x`. Up to this end, the rest that a line leaves is
+/// if a stretch begins between this end and `x`. A line that ends at this point leaves only stock
 /// within twice the radius of turns from the wall.
 std::optional<double> end_nearest_to(const std::vector<Stretch>& stretches, double x, Side side) {
   std::optional<double> best;

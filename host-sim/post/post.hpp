@@ -22,7 +22,8 @@ enum class ArcForm : std::uint8_t {
 
 enum class CommentForm : std::uint8_t { kBrackets, kSemicolon, kNone };
 
-/// The words that each motion has, even if the previous motion had equal ones.
+/// The words that each motion has, even if the previous motion had the same words with the same
+/// values.
 enum class Repeat : std::uint8_t {
   kNothing,
   kMotion,  ///< Only the word G0, G1, G2 or G3.
@@ -66,8 +67,8 @@ struct Post {
   bool has_blanks = false;  ///< Whether words are separated by a blank.
   std::string line_end = "\n";
   DwellForm dwell{};
-  /// Replacements of words, by the word: G and M words, for example `M8`, and S. An empty text
-  /// leaves the word out. S can only be left out.
+  /// Replacements of words, keyed by the word to replace: G and M words, for example `M8`, and S.
+  /// An empty text leaves the word out. S can only be left out.
   std::map<std::string, std::string> words{};
 
   /// Returns whether arcs in a plane are written as arcs.

@@ -147,7 +147,7 @@ class PostWriter {
       motion_ = number;
     } else if (word.letter == 'G' && number >= kFirstPlaneWord && number < kFirstPlaneWord + 3) {
       plane_ = static_cast<Plane>(number - kFirstPlaneWord);
-      if (written_plane_) return;  // The next arc writes this plane.
+      if (written_plane_) return;  // Written when an arc, G41 or G42 requires the plane.
       written_plane_ = plane_;
       line.codes.push_back(replaced(name));
     } else {
@@ -215,7 +215,7 @@ class PostWriter {
 
   /// Writes an arc in `parts` parts: as smaller arcs with a radius, or as lines.
   void write_parts(const SortedLine& line, const ProgramArc& arc, int parts, int motion) {
-    constexpr int kDigitsOfParts = 4;  // Decimals if the post gives no number of decimals.
+    constexpr int kDigitsOfParts = 4;  // Number of decimals if the post gives none.
     const double scale = std::pow(10.0, post_.decimals.value_or(kDigitsOfParts));
     SortedLine part = line;
     for (const Vector3d& point : divided(arc, parts)) {
@@ -233,8 +233,8 @@ class PostWriter {
     }
   }
 
-  /// Writes one motion. Axes have words if `line` gives their values, or all of them if the post
-  /// repeats all words.
+  /// Writes one motion. An axis has a word if `line` gives its value, or if the post repeats all
+  /// words.
   void write_element(const SortedLine& line, int motion, const std::vector<std::string>& arc) {
     std::vector<std::string> words = line.codes;
     if (motion != written_motion_ || post_.repeat != Repeat::kNothing) {

@@ -44,7 +44,7 @@ std::string shortened(std::string_view text, std::size_t columns) {
 std::string line_of(double done, std::string_view label, std::size_t columns) {
   constexpr std::size_t kMaxCells = 30;
   constexpr std::size_t kFewestCells = 10;
-  // Columns of `[`, of `] 100 % ` and of the terminal's last column.
+  // Number of columns of `[`, `] 100 % ` and the terminal's last column.
   constexpr std::size_t kBesides = 10;
   const double percent = 100.0 * done;
   if (columns < kBesides) {

@@ -30,7 +30,7 @@ class ProgressBar {
   /// Draws the bar. The line is never longer than the width of the terminal: on a narrow terminal,
   /// first the bar gets shorter, then the label.
   /// @param fraction share of the job that is done, 0…1 (clamped)
-  /// @param label the work in progress
+  /// @param label text that names the work in progress
   void update(double fraction, std::string_view label, Time now);
 
   /// Removes the bar. Call it before other text is written. The next update() draws the bar again.

@@ -31,12 +31,12 @@ struct AxisReport {
   double max_speed_mm_s = 0.0;
   double max_acceleration_mm_s2 = 0.0;
   double max_jerk_mm_s3 = 0.0;
-  /// Lower bound of the motion, in machine coordinates.
+  /// Least position of the axis, in machine coordinates.
   double min_mm = 0.0;
   double greatest_mm = 0.0;
   std::uint64_t steps = 0;  ///< Number of pulses in both directions.
-  /// Greatest possible errors of the figures above. The figures are read from steps: pulses share
-  /// time slots, and a motor rests on full steps.
+  /// Greatest possible errors of the figures above. The figures have errors because they are
+  /// computed from steps: pulses share time slots, and a motor rests on full steps.
   double speed_error_mm_s = 0.0;
   double acceleration_error_mm_s2 = 0.0;
   double jerk_error_mm_s3 = 0.0;

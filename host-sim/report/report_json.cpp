@@ -68,8 +68,8 @@ void add_axes(Json& json, const Report& report) {
       {"bounds", per_axis(report, [](auto& axis) { return axis.bounds_error_mm; })}};
 }
 
-/// Rounds all numbers to six decimals: to a nanometre and a microsecond, far below the error of any
-/// figure. A report has only a few nested levels. NOLINTNEXTLINE(misc-no-recursion)
+/// Rounds all numbers to six decimals. These are a nanometre and a microsecond, far below the error
+/// of any figure. A report has only a few nested levels. NOLINTNEXTLINE(misc-no-recursion)
 void round_numbers(Json& json) {
   constexpr double kPerUnit = 1.0e6;
   constexpr double kMaxRounded = 1.0e9;  // Greater doubles have no decimals to round.

@@ -96,8 +96,8 @@ StockJson surface_json(const stock::SurfaceFigures& figures) {
           {"worst_rests", worst_json(figures.worst_rests)}};
 }
 
-/// Returns a text with the deviation at a point and its position. It also contains the height that
-/// the tool cannot reach there, if there is one.
+/// Returns a text with the deviation at a point and its position. If the tool cannot reach the
+/// surface at this point, the text also contains the height that it cannot reach.
 std::string worst_text(const stock::WorstPlace& place) {
   std::string text =
       fmt::format("{:+.4f} mm at X{:.3f} Y{:.3f}", place.off_mm, place.x_mm, place.y_mm);

@@ -25,9 +25,9 @@ namespace sim {
 [[nodiscard]] std::vector<std::pair<std::string, std::string>> surface_facts(
     const stock::SurfaceFigures& figures);
 
-/// Returns the warnings of a report. The first lines whose rapids cut stock have one warning each,
-/// and all other such lines have one together. A gouged pocket and a gouged surface have one
-/// warning each.
+/// Returns the warnings of a report. The first lines whose rapids cut stock have one warning each.
+/// All further lines whose rapids cut stock have one common warning. A gouged pocket and a gouged
+/// surface have one warning each.
 [[nodiscard]] std::vector<std::string> warnings_of(const stock::StockReport& report,
                                                    const std::string& file);
 

@@ -18,7 +18,7 @@
 /// stream refuses the text.
 namespace sim::terminal {
 
-/// A type whose values are text within a line.
+/// A type whose values are text that is printed within a line.
 template <typename Value>
 concept Text = std::convertible_to<const Value&, std::string_view>;
 

@@ -113,7 +113,8 @@ class PairFinder {
   using Box = cnc::contour::FlatBox<double>;
   using Key = std::pair<std::size_t, std::size_t>;
 
-  /// Returns the number of contours around a contour that are edges of the same part.
+  /// Returns the number of contours that surround a contour and are edges of the same part as this
+  /// contour.
   [[nodiscard]] std::size_t depth_of(std::size_t contour) const {
     std::size_t depth = 0;
     for (auto p = placed_.contours[contour].parent; p; p = placed_.contours[*p].parent) {
@@ -169,9 +170,9 @@ class PairFinder {
     if (is_worse) pairs_[key] = {key, meeting.overlap, meeting.distance_mm, meeting.place};
   }
 
-  /// Finds the parts whose material is under an outer edge, and records that its own part overlaps
-  /// them. The edge is on the material of a part if an odd number of that part's edges are around
-  /// it.
+  /// Finds the parts whose material is under an outer edge, and records that the part of this edge
+  /// overlaps them. The edge is on the material of a part if an odd number of that part's edges are
+  /// around it.
   void look_for_cover(std::size_t contour) {
     const DrawnContour& drawn = placed_.contours[contour];
     if (depth_of(contour) != 0) return;

@@ -48,7 +48,7 @@ std::vector<std::vector<std::size_t>> parts_before(Sheet& sheet) {
 }
 
 /// Returns the names of parts that wait for each other in a circle, so that none of them has a
-/// turn.
+/// rank.
 std::string circle_from(std::size_t part,
                         const Sheet& sheet,
                         const std::vector<std::vector<std::size_t>>& before,
@@ -72,7 +72,8 @@ std::string circle_from(std::size_t part,
 void give_turns(Sheet& sheet) {
   const auto before = parts_before(sheet);
   std::vector<char> has_turn(sheet.parts.size(), 0);
-  // Each pass gives its number as the turn of all parts whose predecessors have a turn.
+  // Each pass through the loop assigns its number, as rank, to all parts whose predecessors already
+  // have a rank.
   for (std::size_t turn = 0;; ++turn) {
     std::vector<std::size_t> ready;
     for (std::size_t i = 0; i < sheet.parts.size(); ++i) {

@@ -117,8 +117,8 @@ class PartPlacer {
     return layers;
   }
 
-  /// Reports the faults of a part's drawing. Their positions are those in the drawing's file, not
-  /// on the sheet.
+  /// Reports the faults of a part's drawing. Their positions are positions in the file of the
+  /// drawing, not on the sheet.
   void report_faults(const SheetPart& part,
                      const Drawing& drawn,
                      const std::vector<std::size_t>& layers) {
@@ -178,7 +178,7 @@ class PartPlacer {
   std::map<std::string, Drawing> drawings_;
   std::vector<Piece> pieces_;
   std::vector<std::string> labels_;
-  std::vector<std::size_t> turns_;  ///< Turn of each copy, in the same order as `labels_`.
+  std::vector<std::size_t> turns_;  ///< Rank of each copy, in the same order as `labels_`.
   std::size_t shapes_ = 0;
 };
 

@@ -22,10 +22,10 @@ using ReadText = std::function<std::string(const std::string&)>;
 [[nodiscard]] drawing::Transform transform_of(const Placing& placing);
 
 /// Draws the copies of all parts of a sheet as one drawing. Lines and arcs stay lines and arcs.
-/// Layers with the same name and colour become one layer. Each copy is a part of its own
+/// Layers with the same name and colour become one layer. Each copy is a separate part
 /// (`Entity::part`, named in `Drawing::parts`), and its contours have names such as `bracket #2:
-/// path "a"`. The faults are those of the sheet, and once those of each drawing, with the name of
-/// its part.
+/// path "a"`. The faults are those of the sheet, and those of each drawing. The faults of a drawing
+/// are listed once, with the name of its part.
 /// @pre options as read_drawing() requires
 [[nodiscard]] drawing::Drawing place_parts(const Sheet& sheet,
                                            const ReadText& read_text,

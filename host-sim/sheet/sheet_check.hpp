@@ -22,8 +22,8 @@ struct ContourUse {
 /// Checks the positions of parts. Returns faults that name the parts and a point. Faults are parts
 /// that reach into the margin or beyond the stock, parts that overlap, and parts that are nearer to
 /// each other than the greater of their kerfs. A part in the hole of another part is correct.
-/// Curves are compared as chords within kSheetChordMm of them. The plan of the cuts checks the same
-/// more exactly.
+/// Curves are compared as chords within kSheetChordMm of them. The plan of the cuts later makes the
+/// same checks more exactly.
 /// @param placed drawing that place_parts() returned
 /// @param uses one use for each contour
 [[nodiscard]] std::vector<drawing::Fault> check_places(const drawing::Drawing& placed,

@@ -36,8 +36,8 @@ class SheetFields {
   /// Returns the text of a field, or `otherwise` if the field is missing or is not a text with at
   /// least one character.
   [[nodiscard]] std::string text(const char* key, const std::string& otherwise);
-  /// Return the field if it is an array, or for object() an object. Otherwise they return a null
-  /// value, and report a fault unless the field is missing.
+  /// Return the field if it is an array (array()) or an object (object()). Otherwise they return a
+  /// null value, and report a fault unless the field is missing.
   [[nodiscard]] const nlohmann::json& array(const char* key);
   [[nodiscard]] const nlohmann::json& object(const char* key);
 

@@ -182,7 +182,7 @@ class SheetReader {
   }
 
   /// Returns the positions of the copies in a grid. The first copy is at the position that the
-  /// fields give; the others follow row by row.
+  /// fields give. The other copies follow row by row.
   static std::vector<Placing> grid_of_places(SheetFields& fields) {
     const Placing first = placing_of(fields);
     const std::size_t copies = fields.whole("copies", 1, kCounts);

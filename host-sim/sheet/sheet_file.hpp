@@ -31,7 +31,7 @@ struct SheetPart {
   std::vector<Placing> places;
   /// Names of the parts that must be cut before this part, with all their copies.
   std::vector<std::string> after{};
-  /// Turn in the order of cutting, above the turns of the parts in `after`.
+  /// Rank in the order of cutting, above the ranks of the parts in `after`.
   std::size_t turn = 0;
   std::string pointer{};  ///< JSON pointer to the part for messages, such as `/parts/3`.
 };

@@ -7,7 +7,8 @@
 namespace sim::text {
 namespace {
 
-// Drawn for Kerfline: capitals are 10 units high, small letters 7.
+// Glyphs of the printable ASCII characters, drawn for Kerfline. Capitals are 10 units high, small
+// letters 7 units.
 // clang-format off
 constexpr auto kAscii = std::to_array<StrokeGlyph>({
     {2.4, ""},                                                     // blank

@@ -52,9 +52,8 @@ class OpenInput {
   int descriptor_;
 };
 
-/// Returns whether a text is binary data. A few control bytes are accepted here; the reader of the
-/// text handles them. In a picture, an archive or UTF-16 text, one in every few bytes is a control
-/// byte.
+/// Returns whether a text is binary data. A few control bytes are accepted, because the reader of
+/// the text handles them. In a picture, an archive or UTF-16 text, many bytes are control bytes.
 bool is_binary(std::string_view text) {
   constexpr std::size_t kLookedAt = 4096;
   constexpr std::ptrdiff_t kFewest = 8;

@@ -30,8 +30,8 @@ class OutputFile {
     if (buffer_.size() >= kDrainAt) drain();
   }
 
-  /// Writes the buffer to the temporary file next to the target. The temporary file remains if the
-  /// process is killed.
+  /// Writes the buffer to the temporary file next to the target. If the process is killed, the
+  /// temporary file remains.
   void drain();
   /// Writes the rest and replaces the target. A second call has no effect.
   void close();

@@ -19,7 +19,7 @@ class TraceReader {
  public:
   explicit TraceReader(const std::string& path);
 
-  /// Returns the comment lines without their leading `# `, except the line of the scale.
+  /// Returns the comment lines, without the line of the scale and without their leading `# `.
   [[nodiscard]] const std::vector<std::string>& comments() const { return comments_; }
   /// Returns the scale: steps per mm for X, Y and Z; steps per degree for A, B and C.
   [[nodiscard]] const cnc::AxisArray<float>& steps_per_mm() const { return steps_per_mm_; }

@@ -20,10 +20,10 @@ inline constexpr std::string_view kTraceColumns = "time_ns,x,y,z,a,b,c,s";
 ///     time_ns,x,y,z,a,b,c,s
 ///     1000,1,0,0,0,0,0,0.5
 ///
-/// Times are in ns, positions in motor steps, duties 0…1. A float has the fewest digits from which
-/// the same float can be read. Thus equal runs give equal bytes. File-system errors throw
-/// std::system_error with the name of the file, from the constructor, on_row() or on_end(). The
-/// file is complete after on_end().
+/// Times are in ns, positions in motor steps, duties 0…1. A float is written with the fewest digits
+/// from which the same float can be read. Thus equal runs give equal bytes. File-system errors
+/// throw std::system_error with the name of the file, from the constructor, on_row() or on_end().
+/// The file is complete after on_end().
 class TraceWriter final : public TraceSink {
  public:
   /// Creates the file and writes its heading.

@@ -78,8 +78,8 @@ def holes():
 
 
 def motor_holes():
-    """Returns the boss and four screw slots. They are long enough to move the motor by 5 mm, which tensions the belt.
-    """
+    """Returns the boss and four screw slots. The slots are long enough to move the motor by 5 mm, which tensions the
+    belt. """
     travel = 2.5
     half = NEMA17_PITCH / 2
     screws = around(MOTOR, [complex(x, y) for x in (-half, half) for y in (-half, half)])

@@ -167,7 +167,8 @@ class Reader:
 
 
 def turn_between(one, other):
-    """Returns the angle between two short lines of about equal length; None if a chopped arc cannot have this angle."""
+    """Returns the angle between two successive lines. Returns None if one of them is missing or too long, if their
+    lengths differ, or if a chopped arc cannot have this angle."""
     if one is None or other is None:
         return None
     a, b = math.hypot(*one), math.hypot(*other)

@@ -1,7 +1,6 @@
 """Writes enclosure_lightburn.nc: a finger-jointed box for a controller board, in the style of LightBurn for Grbl.
 
-LightBurn (1.x, "GRBL" device) chops every curve into short G1 lines. This program does the same.
-"""
+LightBurn (1.x, "GRBL" device) chops every curve into short G1 lines, and so does this generator. """
 import math
 
 from .cutting import nearest_order
@@ -41,7 +40,8 @@ def program(data_folder):
 
 
 def layer(writer, names, paths, power, speed):
-    """Writes one cut of LightBurn's plan. Each shape is cut once for each of `names`, which name the passes."""
+    """Writes one cut layer of LightBurn's plan. Each shape is cut once for each name in `names`, which are the names
+    of the passes."""
     writer.comment(f"Cut @ {speed} mm/min, {power}% power")
     writer.raw("M8")
     for path in paths:

@@ -43,9 +43,8 @@ class Font:
 
 
 def contour_path(points):
-    """Returns a TrueType contour as lines and arcs. Points are on the curve or controls; middles between controls are
-    implied.
-    """
+    """Returns a TrueType contour as lines and arcs. Its points are either on the curve or control points. The middle
+    of two successive control points is a point on the curve, which the font does not store."""
     first = next(i for i, (_, on) in enumerate(points) if on)
     points = points[first:] + points[:first + 1]
     path, start, control = [], points[0][0], None

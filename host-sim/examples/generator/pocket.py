@@ -102,9 +102,8 @@ class Mill:
             self.writer.motion = None
 
     def vertical_arc(self, point, z, direction, downward):
-        """Writes a quarter turn with radius LEAD in the XZ or YZ plane. It turns from down to along `direction`, or
-        from along it to up.
-        """
+        """Writes a quarter turn with radius LEAD in the XZ or YZ plane. If `downward`, the motion turns from
+        downwards into `direction`; otherwise from `direction` to upwards."""
         in_xz = direction.imag == 0
         forward = direction.real + direction.imag > 0
         clockwise = forward == in_xz        # both ways down and both ways up
@@ -169,9 +168,8 @@ def adaptive_pocket(mill):
 
 
 def spiral(mill, centre, inner, outer):
-    """Writes half turns about two centres in turn, then one full turn. The radius grows by half the step in each half
-    turn.
-    """
+    """Writes half turns about two alternating centres, then one full turn. The radius grows by half the step in each
+    half turn."""
     growth = STEP_OVER / 2
     place, side = centre - inner, -1
     while True:

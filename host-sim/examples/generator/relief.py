@@ -90,7 +90,8 @@ def smoothed(row):
 
 
 def interpolated(row):
-    """Returns REFINE values per step by Catmull-Rom splines. Beyond the ends, the end values are repeated."""
+    """Returns REFINE values for each step of the row, interpolated by Catmull-Rom splines. Beyond the ends, the end
+    values are repeated."""
     padded = [row[0]] + row + [row[-1]]
     fine = []
     for a, b, c, d in zip(padded, padded[1:], padded[2:], padded[3:]):
