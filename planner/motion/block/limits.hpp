@@ -20,8 +20,8 @@ struct Limits {
   BeamResponse beam{};
 };
 
-/// Returns the greatest speed of an axis in mm/s. This is the lower one of its rate and the speed
-/// at which its motor reaches the greatest step rate.
+/// Returns the greatest speed of an axis in mm/s. It is the rate limit of the axis or, if lower,
+/// the speed at which the axis's motor reaches its greatest step rate.
 [[nodiscard]] inline float motor_rate(const Limits& limits, std::size_t axis) {
   return std::min(limits.rate_mm_s[axis],
                   limits.steps_per_s_one_motor / limits.scale[axis].steps_per_mm());

@@ -39,7 +39,7 @@ class MotionFilter {
   struct Cell {
     PathUnits mean = 0;  ///< Mean of the plan's position in the cell.
     PathUnits end = 0;   ///< The plan's position at the end of the cell.
-    /// Time from the start of the cell to the end of the plan's last motion in it.
+    /// Time from the start of the cell to the end of the plan's last motion in the cell, ns.
     std::uint32_t moved_ns = 0;
   };
 

@@ -9,8 +9,8 @@
 
 namespace cnc::motion {
 
-/// Greatest share that counts as rounding: of v² for a gain of v², and of the distance for a phase
-/// at level speed.
+/// Greatest share that counts as rounding. A gain of v² is compared with v². The length of a phase
+/// at level speed is compared with the distance to the end of the span.
 inline constexpr float kNegligibleShare = 1.0e-5F;
 
 /// Returns the speed, in mm/s, up to which the motion may speed up, because it can then keep this

@@ -9,9 +9,9 @@ namespace cnc::motion {
 
 /// The play of an axis, and the limits for taking it up.
 ///
-/// The motion that takes up the play is added to the planned motion. So the planner does not use
-/// these shares of the axis's limits (see `limits_from`). The play is small, so a low speed is
-/// enough.
+/// The motion that takes up the play is added to the planned motion. So kRateShare and
+/// kAccelerationShare of the axis's limits are reserved for taking up the play, and the planner
+/// uses only the rest (see `limits_from`). The play is small, so a low speed is enough.
 struct BacklashSetting {
   static constexpr float kRateShare = 0.05F;
   static constexpr float kAccelerationShare = 0.2F;  ///< Share of the acceleration and of the jerk.
@@ -46,9 +46,10 @@ class Backlash {
   void configure(const BacklashSetting& setting);
   [[nodiscard]] bool active() const { return setting_.steps > 0; }
 
-  /// Returns the motor's offset in Q32 steps after the tool has moved to `tool` in `seconds`.
+  /// Returns the motor's offset in Q32 steps after the tool has moved to `tool` within `seconds` s.
   [[nodiscard]] std::int64_t follow(StepPosition tool, float seconds);
-  /// Returns whether the offset has reached the end that the direction of the tool requires.
+  /// Returns whether the offset has reached the end of the play that the direction of the tool
+  /// requires.
   [[nodiscard]] bool settled() const { return from_ == to_; }
 
   /// Sets the state at rest, with the motor's counter ahead of the tool by `offset` steps.

@@ -13,8 +13,8 @@ namespace cnc::motion {
 /// that keep the limits of speed and acceleration.
 ///
 /// The object that drives the motors removes blocks from the queue, possibly some time after the
-/// plan has left them. It calls block_left() before each removal. A change of the plan, an override
-/// or a hold takes effect with the next stretch.
+/// plan has left them. It calls block_left() before each removal. Added blocks, an override or a
+/// feed hold take effect with the next stretch.
 ///
 /// Main loop only.
 class PlanCursor {

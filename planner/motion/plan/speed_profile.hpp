@@ -20,15 +20,16 @@ struct Phase {
   int passes = 0;  ///< Number of spans that end within the phase, without its last span.
 };
 
-/// State that limits a change of speed where jerk is limited. The first two fields are times in s
-/// for which the speed must stay level before it may rise or fall. At rest both times are 0.
+/// State that limits a change of speed where jerk is limited. The first two fields are the times in
+/// s for which the speed must still stay level before it may rise, or fall. At rest both times are
+/// 0.
 struct Patience {
   float before_speeding_up = 0.0F;
   float before_braking = 0.0F;
   /// Speed of the plan in mm/s when it last did not brake. The motion may still have this speed.
   float braking_from = 0.0F;
   /// True if an override has lowered the speed limits so far that braking after `before_braking` is
-  /// too late to keep them. All limits except those of speed are still kept, because the plan
+  /// too late to keep them. All limits of acceleration and jerk are still kept, because the plan
   /// before the override kept them.
   bool overtaken = false;
 };
@@ -40,11 +41,11 @@ enum class Drive : std::uint8_t {
 
 /// Speed along the block that is being driven, as phases of constant acceleration.
 ///
-/// This is the forward pass of the look-ahead. Within a span, the speed rises until it reaches the
-/// greatest speed of the span (the cap) or the braking curve. It keeps the cap, and then follows
-/// the braking curve. Under a time window T, the speed stops rising early enough to be level for T
-/// before braking. Each phase is computed from the present state when it is required. So after an
-/// override, a hold or added blocks, the caller just requests the next phase.
+/// The profile is the forward pass of the look-ahead. Within a span, the speed rises until it
+/// reaches the greatest speed of the span (the cap) or the braking curve. It keeps the cap, and
+/// then follows the braking curve. Under a time window T, the speed stops rising early enough to be
+/// level for T before braking. Each phase is computed from the present state when it is required.
+/// So after an override, a hold or added blocks, the caller just requests the next phase.
 class SpeedProfile {
  public:
   /// Starts at the beginning of a block, with the given v².

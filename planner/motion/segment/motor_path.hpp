@@ -92,7 +92,7 @@ class MotorPath {
   /// Returns the point at a fraction of the block's length. 2^32 is the end, which is exact.
   [[nodiscard]] Point at(std::uint64_t fraction) const;
 
-  /// Returns the motors that move on the block. The others stay where they are.
+  /// Returns the motors that move on the block. All other motors stay at their positions.
   [[nodiscard]] std::span<const Motor> moving() const { return {motors_.data(), count_}; }
 
  private:

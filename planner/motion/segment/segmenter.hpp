@@ -40,15 +40,16 @@ class SliceObserver {
 
 /// Cuts the planned motion into segments for the step interrupt.
 ///
-/// Takes each block from the front of a queue when the motors reach its end. Cuts the stretches of
-/// the plan so that a slice lies in one block and one pixel, lasts at most a millisecond and
-/// reverses no axis. A change of the plan, an override or a hold takes effect at the next stretch.
+/// Removes each block from the front of a queue when the motors reach its end. Cuts the stretches
+/// of the plan so that a slice is within one block and one pixel, lasts at most a millisecond and
+/// reverses no axis. Added blocks, an override or a hold take effect at the next stretch.
 ///
 /// A slice shorter than SegmentRate::kShortest is joined to one segment with the slices after it,
-/// so that a queue of segments lasts long enough. A segment is shorter than that only where an axis
-/// reverses, the power jumps, outputs change or the motion ends. Where the power jumps so often
-/// that the queue would not last, a segment has a level for each of its slices. Where pixels are
-/// shorter than kShortest, one slice covers several of them, and each of these pixels has a level.
+/// so that a full queue of segments lasts until the next segments are made. A segment is shorter
+/// than kShortest only where an axis reverses, the power jumps, outputs change or the motion ends.
+/// Where the power jumps so often that the queue would run empty, a segment has a level for each of
+/// its slices. Where pixels are shorter than kShortest, one slice covers several pixels, and each
+/// of these pixels has a level.
 ///
 /// Main loop only. The state of the object is the state at the end of the last slice handed out.
 class Segmenter {
@@ -98,8 +99,8 @@ class Segmenter {
   [[nodiscard]] bool halted() const { return plan_.halts() && at_rest(); }
 
   /// Makes the motors follow the kerf at the driven power and speed, on blocks next to an edge. The
-  /// ends of planned slices then include the shift for the kerf; segments do not. Null stops
-  /// following.
+  /// ends of planned slices then include the shift for the kerf. Segments do not include it. Null
+  /// stops following.
   /// @param course must outlive its use
   /// @pre at rest, and on_path()
   void follow_kerf(const kerf::KerfCourse* course) { kerf_.follow(course); }
@@ -112,7 +113,7 @@ class Segmenter {
   /// @param centre must outlive its use; null if rotary axes do not move the tip
   /// @pre at rest
   void follow_centre(const kinematics::ToolCentre* centre) { centre_ = centre; }
-  /// Returns whether slices may end elsewhere than at place().
+  /// Returns whether the ends of planned slices may differ from place().
   [[nodiscard]] bool leaves_path() const { return follows_kerf() || centre_ != nullptr; }
 
   /// Forgets all motion; the motors are at `place` now. A halt remains.
