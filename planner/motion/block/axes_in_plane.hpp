@@ -27,8 +27,8 @@ struct AxisInPlane {
   [[nodiscard]] float normal_share(const SinCos& angle) const {
     return angle.cosine * second - angle.sine * first;
   }
-  /// Returns the angle, in quarter turns, at which the magnitude of the axis's share is greatest.
-  /// The angle is at least 0 and below 2.
+  /// Returns the angle of the direction of travel, in quarter turns, at which the magnitude of the
+  /// axis's share is greatest. The angle is at least 0 and below 2.
   [[nodiscard]] float quarters() const;
 };
 

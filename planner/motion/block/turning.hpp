@@ -29,7 +29,8 @@ struct Turning {
   /// Returns the greatest a that may hold over `distance` mm, from a point where v² is
   /// `speed_square`. v² is assumed to grow over the whole distance, but at most to `cap_square`.
   /// @param acceleration A along the path
-  /// @param lag_s time for which v is assumed to continue growing by a; see lag_of()
+  /// @param lag_s time for which v is assumed to continue growing by a after `distance`; see
+  /// lag_of()
   /// @pre window_s > 0
   [[nodiscard]] float steepest(float acceleration,
                                float distance,
@@ -51,8 +52,8 @@ struct Turning {
                                           float speed_square) const;
 };
 
-/// Returns the time, in s, for which the speed is assumed to continue growing by the acceleration a
-/// before the acceleration of the motion ends. The time is at most 0.35 of the time window T. It is
+/// Returns the time, in s, for which Turning::steepest() assumes that the speed continues to grow
+/// by the acceleration a after `distance`. The time is at most 0.35 of the time window T. It is
 /// shorter on a path that turns more.
 ///
 /// The motion is the mean of the plan over the window. Where the plan begins to speed up by a, the

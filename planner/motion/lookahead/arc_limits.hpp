@@ -44,7 +44,7 @@ class ArcLimits {
   /// @param length length of the path along the arc, mm
   [[nodiscard]] float shortest_time(const ArcShape& arc, float length) const;
 
-  /// Returns the greatest v² over a range of directions.
+  /// Returns the greatest v² that is allowed in all directions of a range.
   /// @param turning_limits whether to limit the centripetal acceleration of each axis. Under a
   /// window this is not necessary, because the limits of the whole arc include it.
   [[nodiscard]] float speed_square(const ArcShape& arc,

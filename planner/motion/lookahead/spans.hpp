@@ -55,8 +55,8 @@ class Spans {
   /// ends.
   /// @param from, to directions at the start and at the end of the span
   [[nodiscard]] float speed_limit_square(int span, const Place& from, const Place& to) const;
-  /// Returns the limit of v² from the limit zones of neighbouring blocks, which include their
-  /// feeds.
+  /// Returns the limit of v² from the limit zones of neighbouring blocks. It includes the feeds of
+  /// these blocks.
   [[nodiscard]] float zone_speed_square(int span) const { return zone_on(span).speed_square; }
 
   /// Returns the greatest acceleration along the path anywhere on the block, in mm/s². @pre there

@@ -55,7 +55,8 @@ class Backlash {
   /// Sets the state at rest, with the motor's counter ahead of the tool by `offset` steps.
   /// @pre 0 ≤ offset − (offset of a tool that moves towards minus) ≤ play
   void stand(StepPosition tool, std::int32_t offset);
-  /// Restores the state that configure() makes, on the same side of the play.
+  /// Sets the offset to zero, as configure() does. The setting and the last direction of the tool
+  /// stay unchanged.
   void rebase() { configure(setting_); }
 
   /// Returns the offset of the motor, in steps, for a tool that continues in its last direction.

@@ -15,9 +15,9 @@ struct Phase {
   float duration = 0.0F;      ///< Duration, s; 0 means that the machine is at rest.
   float distance = 0.0F;      ///< Distance along the path, mm.
   float end_speed_square = 0.0F;
-  /// Distance from the end of the phase to the end of its last span, mm; 0 if that span ends, too.
+  /// Distance from the end of the phase to the end of its last span, mm; 0 if both end together.
   float left = 0.0F;
-  int passes = 0;  ///< Number of spans that end within the phase, without its last span.
+  int passes = 0;  ///< Number of spans that end within the phase before its last span.
 };
 
 /// State that limits a change of speed where jerk is limited. The first two fields are the times in
@@ -48,7 +48,9 @@ enum class Drive : std::uint8_t {
 /// So after an override, a hold or added blocks, the caller just requests the next phase.
 class SpeedProfile {
  public:
-  /// Starts at the beginning of a block, with the given v².
+  /// Starts the profile at the start of a block.
+  /// @param exit state that must be reached at the end of the block
+  /// @param speed_square v² at the start of the block
   void begin(const Block& block,
              const Limits& limits,
              const PlanTerms& terms,
@@ -71,8 +73,8 @@ class SpeedProfile {
   /// contain.
   [[nodiscard]] bool within_other_zones(const BlockZones& before) const;
   /// Returns whether there is a limit zone of a later block in which turning at the present speed
-  /// uses all acceleration. Ignores a zone if `before` contains one that is at least as long and at
-  /// least as strict for turning.
+  /// uses all acceleration. Ignores a zone if `before` contains a zone that is at least as long and
+  /// at least as strict for turning.
   [[nodiscard]] bool too_fast_to_turn(const BlockZones& before) const;
   /// Returns the limit zones of later blocks that the profile includes.
   [[nodiscard]] const BlockZones& tail() const { return spans_.tail(); }

@@ -80,7 +80,7 @@ class MotorPath {
     StepPosition start_{};
     Length chord_{};
     Length normal_{};            ///< Component of the chord's normal along this axis.
-    float chord_per_mm_ = 0.0F;  ///< Steps of chord per mm of path.
+    float chord_per_mm_ = 0.0F;  ///< Component of the chord in steps, per mm of path.
     float normal_per_mm_ = 0.0F;
   };
 

@@ -46,7 +46,7 @@ void Segmenter::go_back(PathUnits place, PathUnits distance) {
   stand(place_steps_);
 }
 
-/// Forgets the motion so far; the motors are at rest at `place`.
+/// Forgets the motion so far. The motors are at rest at `place` now.
 void Segmenter::stand(const AxisArray<StepPosition>& place) {
   plan_.reset();
   stretch_ = {};
@@ -67,7 +67,7 @@ AxisArray<StepPosition> Segmenter::motors() const {
 }
 
 bool Segmenter::next(Segment& segment) {
-  // A segment shorter than a tick is not handed out; its time goes into the next segment. With
+  // A segment shorter than a tick is not handed out. Its time goes into the next segment. With
   // blocks of a few nanometres at full speed, several slices are necessary for one segment.
   constexpr int kMaxShortSlices = 64;
   // The last segment before a rest is handed out even if it is shorter than a tick, because it

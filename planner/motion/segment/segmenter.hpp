@@ -60,8 +60,8 @@ class Segmenter {
   Segmenter(BlockQueue& queue, const Limits& limits, Pixels* pixels = nullptr)
       : queue_{queue}, limits_{limits}, plan_{queue, limits}, power_{pixels} {}
 
-  /// Makes the next segment. Returns false if there is none: everything is driven, or the motion is
-  /// halted.
+  /// Makes the next segment. Returns false if there is none: all blocks are driven, or the motion
+  /// is halted.
   [[nodiscard]] bool next(Segment& segment);
   /// Makes the next slice, of at most `max_ns`, for a caller that makes the pulses itself. Returns
   /// false if there is none.
@@ -73,7 +73,7 @@ class Segmenter {
   void halt() { plan_.halt(); }
   void go_on() { plan_.go_on(); }
 
-  /// Returns whether nothing is left to hand out.
+  /// Returns whether no motion is left to hand out.
   [[nodiscard]] bool idle() const { return !driving_ && queue_.empty(); }
   /// Returns whether the motion is at rest. It may be halted within a block.
   [[nodiscard]] bool at_rest() const { return speed_ <= 0.0F; }
@@ -98,9 +98,9 @@ class Segmenter {
   [[nodiscard]] const TimeWindow& window() const { return plan_.window(); }
   [[nodiscard]] bool halted() const { return plan_.halts() && at_rest(); }
 
-  /// Makes the motors follow the kerf at the driven power and speed, on blocks next to an edge. The
-  /// ends of planned slices then include the shift for the kerf. Segments do not include it. Null
-  /// stops following.
+  /// Shifts the motors, on blocks next to an edge of the part, by half of the difference between
+  /// the kerf at the driven power and speed and the programmed kerf. The ends of planned slices
+  /// then include the shift for the kerf. Segments do not include it. Null ends the shifting.
   /// @param course must outlive its use
   /// @pre at rest, and on_path()
   void follow_kerf(const kerf::KerfCourse* course) { kerf_.follow(course); }
