@@ -74,14 +74,15 @@ class Pixels {
     CNC_ASSERT(!empty());
     return pixels_[slot_];
   }
-  /// Marks the oldest waiting pixel as driven. It is kept. @pre !empty()
+  /// Marks the oldest waiting pixel as driven. The pixel is kept for take_back(). @pre !empty()
   void pop() {
     CNC_ASSERT(!empty());
     ++first_;
     ++kept_;
     slot_ = slot_of(1);
   }
-  /// Marks all pixels before `number` as driven. They are kept.
+  /// Marks all waiting pixels before the pixel `number` as driven. The pixels are kept for
+  /// take_back().
   /// @param number number of a waiting pixel, or next()
   void drop_before(std::uint32_t number) {
     while (!empty() && static_cast<std::int32_t>(number - first_) > 0) pop();

@@ -55,10 +55,11 @@ struct TimeWindow {
 ///
 /// If a plan does not reach full acceleration, a shorter window T, with an acceleration of at most
 /// J T, makes a faster motion. Here J is the jerk limit. Speeding up to v takes the time v / (J T)
-/// and the window T. Their sum is least if both are equal: T = √(v / J). For a motion over a
-/// distance d from rest to rest, they are equal if 2 J T³ = d. So the window is the least of A / J,
-/// √(v / J) and ∛(d / 2J) (Biagiotti and Melchiorri, Trajectory Planning for Automatic Machines and
-/// Robots, 2008, section 3.4: the cases in which the greatest acceleration is not reached).
+/// and the window T. The sum of both times is least if they are equal: T = √(v / J). For a motion
+/// over a distance d from rest to rest, both times are equal if 2 J T³ = d. So the window is the
+/// least of A / J, √(v / J) and ∛(d / 2J) (Biagiotti and Melchiorri, Trajectory Planning for
+/// Automatic Machines and Robots, 2008, section 3.4: the cases in which the greatest acceleration
+/// is not reached).
 ///
 /// This window is best for a single move. In a chain of unlike blocks, slow blocks also slow down
 /// their neighbours for the length of the window. So a shorter window, a share of it, may make the

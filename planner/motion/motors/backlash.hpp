@@ -33,11 +33,12 @@ struct BacklashSetting {
 /// tool follows. When the tool reverses, the offset of the motor moves from one end of the play to
 /// the other while the tool continues to move. The offset follows the quintic 10 x³ − 15 x⁴ + 6 x⁵
 /// (Flash and Hogan 1985, minimum jerk), which has no speed and no acceleration at its ends. Its
-/// first three derivatives are at most 1.875, 10/√3 and 60. Until the offset has reached its end,
-/// the tool lags by at most the play.
+/// first three derivatives are at most 1.875, 10/√3 and 60. Until the offset has reached the end of
+/// the play, the tool lags by at most the play.
 ///
 /// A reversal counts when the tool has moved back by a sixteenth of a step. If the tool reverses
-/// while the offset still moves, the reversal waits until the offset has reached its end.
+/// while the offset still moves, the reversal waits until the offset has reached the end of the
+/// play.
 class Backlash {
  public:
   /// Sets the play, and the offset to zero: from now on the motor's counter equals the tool's

@@ -133,7 +133,7 @@ bool PlanCursor::begin_phase(Drive drive) {
     begin_block();
   }
   // Until the braking after a lower override has ended, the motion may be faster than the plan and
-  // than the override allows.
+  // faster than the override allows.
   overtaken_ = overtaken_ && (since_braking_ns_ == 0 || profile_.too_fast(patience()));
   phase_ = profile_.next_phase(drive, patience());
   phase_drive_ = drive;

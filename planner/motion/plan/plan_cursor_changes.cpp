@@ -125,8 +125,8 @@ void PlanCursor::plan_for(const PlanTerms& terms) {
   replan_ = true;
 }
 
-/// Makes the requested overrides those of the plan. @pre at rest, or without a time window, so that
-/// no limits of a block reach into other blocks
+/// Applies the requested overrides to the plan. @pre at rest, or without a time window, so that no
+/// limits of a block reach into other blocks
 void PlanCursor::take_up_overrides() {
   plan_for({.overrides = overrides_, .greatest = overrides_, .window = terms_.window});
 }

@@ -280,8 +280,8 @@ Phase SpeedProfile::level_for(float seconds) const {
 /// the present position, the motion can, too. (The limits at a position within a span may be
 /// stricter than those at the span's ends, by the margin of ArcLimits.) The plan does not allow a
 /// speed above the curve. Under a time window it does not allow a speed above the cap either,
-/// because turning leaves less acceleration there. A speed that is not allowed follows from an
-/// override that has lowered the plan.
+/// because turning leaves less acceleration there. A speed that the plan does not allow is caused
+/// by an override that has lowered the plan.
 float SpeedProfile::planned_deceleration() const {
   const float planned = here().deceleration;
   const bool beyond_cap = speed_square_ > here().cap_square * kAbovePlan;

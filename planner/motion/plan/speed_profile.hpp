@@ -42,10 +42,11 @@ enum class Drive : std::uint8_t {
 /// Speed along the block that is being driven, as phases of constant acceleration.
 ///
 /// The profile is the forward pass of the look-ahead. Within a span, the speed rises until it
-/// reaches the greatest speed of the span (the cap) or the braking curve. It keeps the cap, and
-/// then follows the braking curve. Under a time window T, the speed stops rising early enough to be
-/// level for T before braking. Each phase is computed from the present state when it is required.
-/// So after an override, a hold or added blocks, the caller just requests the next phase.
+/// reaches the greatest speed of the span (the cap) or the braking curve. The speed stays at the
+/// cap, and then follows the braking curve. Under a time window T, the speed stops rising early
+/// enough to be level for T before braking. Each phase is computed from the present state when it
+/// is required. So after an override, a hold or added blocks, the caller just requests the next
+/// phase.
 class SpeedProfile {
  public:
   /// Starts the profile at the start of a block.
@@ -89,7 +90,7 @@ class SpeedProfile {
     move(phase.left, phase.end_speed_square);
   }
   /// Moves to the position `distance` mm before the end of `phase`, which was driven only up to
-  /// there.
+  /// this position.
   /// @param speed speed at that position, mm/s
   void stop_short(const Phase& phase, float distance, float speed);
   /// Corrects the distance to the end of the block, in mm. `left_of_block` is more exact than the
@@ -145,8 +146,8 @@ class SpeedProfile {
   BrakingState exit_{};
   float speed_square_ = 0.0F;
   /// Distance to the end of the present span, mm. It is measured from the end of the span, because
-  /// braking ends there and requires exact digits. A distance from the start would have fewer
-  /// digits there.
+  /// braking ends there and requires exact digits. Near the end, a distance from the start would
+  /// have fewer digits.
   float left_ = 0.0F;
   int span_ = 0;
 };

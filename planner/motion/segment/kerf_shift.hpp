@@ -19,14 +19,15 @@ namespace cnc::motion {
 /// an edge, the component of the vector across the path is the unit normal. So the edge of the cut
 /// stays on the edge of the part. The component along the path leads to the shifted corner: at a
 /// joint, the vectors of both blocks lead to the point where their shifted paths meet. On a block
-/// that is not next to an edge, the vector changes from that of the previous block to that of the
-/// next block. If the next block is not next to an edge either, it changes to zero.
+/// that is not next to an edge, the vector changes from the vector of the previous block to the
+/// vector of the next block. If the next block is not next to an edge either, the vector changes to
+/// zero.
 ///
 /// While the plan drives a distance, neither a change of the shift's length nor a change of the
 /// vector moves the beam by more than a quarter of this distance. So the shift lags where hard
 /// braking changes the kerf too fast, or where the block after a corner becomes known late.
 ///
-/// The position of the motors is that of the plan plus the shift. Main loop only.
+/// The position of the motors is the planned position plus the shift. Main loop only.
 class KerfShift {
  public:
   /// Follows `course` from now on; null stops following.

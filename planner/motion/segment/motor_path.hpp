@@ -38,7 +38,8 @@ class MotorPath {
       const std::int64_t way = turns_ ? turned(point.turn) : chord_.share(point.fraction);
       return StepPosition{start_.q32() + way};
     }
-    /// Returns the steps per mm of path. Multiplied by the path speed, they are steps/s.
+    /// Returns the signed steps of the motor per mm of path. Multiplied by the path speed in mm/s,
+    /// they are the speed of the motor in steps/s.
     [[nodiscard]] float speed(const Point& point) const {
       if (!turns_) return chord_per_mm_;
       return chord_per_mm_ * point.turn.along_rate + normal_per_mm_ * point.turn.across_rate;

@@ -79,11 +79,14 @@ class Segmenter {
   [[nodiscard]] bool at_rest() const { return speed_ <= 0.0F; }
   /// Returns the position at the end of the last slice handed out.
   [[nodiscard]] const AxisArray<StepPosition>& place() const { return place_steps_; }
-  /// Returns the distance to the end of the oldest block, in mm. @pre !idle()
+  /// Returns the distance from the present position to the end of the oldest block, in mm.
+  /// @pre !idle()
   [[nodiscard]] float left_of_block() const {
     return driving_ ? to_mm(length_ - place_) : queue_.front().length;
   }
-  /// Returns the distance from the start of the oldest block, in path units. @pre !idle()
+  /// Returns the distance of the present position from the start of the oldest block, in path
+  /// units.
+  /// @pre !idle()
   [[nodiscard]] PathUnits into_block() const { return driving_ ? place_ : 0; }
   /// Returns the running length of all motion that was handed out (wraps). Motion that was taken
   /// back no longer counts.
@@ -188,7 +191,7 @@ class Segmenter {
   PixelCourse power_;
   MotorPath path_{};
   AxisArray<StepPosition> place_steps_{};
-  AxisArray<float> rates_{};  ///< Steps per mm of path, of the axes that move.
+  AxisArray<float> rates_{};  ///< Present rates of the moving axes, steps per mm of path.
   float speed_ = 0.0F;        ///< mm/s.
   KerfShift kerf_{};
   const kinematics::ToolCentre* centre_ = nullptr;

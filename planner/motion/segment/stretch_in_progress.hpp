@@ -51,7 +51,7 @@ class StretchInProgress {
 
  private:
   PhaseCourse course_{};
-  PathUnits from_ = 0;  ///< Place of the start; negative if it is in an earlier block.
+  PathUnits from_ = 0;  ///< Place of the stretch's start; negative in an earlier block.
   std::uint32_t elapsed_ns_ = 0;
 };
 
