@@ -14,7 +14,7 @@ struct Limits {
   AxisArray<float> rate_mm_s{};           ///< Greatest speed of each axis, $110…$115.
   AxisArray<float> acceleration_mm_s2{};  ///< Greatest acceleration of each axis, $120…$125.
   AxisArray<float> jerk_mm_s3{};        ///< Greatest jerk of each axis, $800…$805; 0 is no limit.
-  float junction_deviation_mm = 0.01F;  ///< Greatest deviation at a blended corner, $11.
+  float junction_deviation_mm = 0.01F;  ///< Greatest deviation of a blend from its corner, $11.
   float steps_per_s_one_motor = 100'000.0F;
   float steps_per_s_all_motors = 200'000.0F;
   BeamResponse beam{};

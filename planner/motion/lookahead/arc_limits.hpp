@@ -36,8 +36,8 @@ class ArcLimits {
   /// Returns the acceleration within the plane, in mm/s², that is allowed in all directions of the
   /// arc. turning() divides it between turning and the change of speed.
   [[nodiscard]] float plane_acceleration() const { return plane_acceleration_; }
-  /// Returns the acceleration within the plane, in mm/s², that would be possible if the arc did not
-  /// require any for turning.
+  /// Returns the acceleration within the plane, in mm/s², that would be possible if turning did not
+  /// require any acceleration.
   [[nodiscard]] float max_acceleration() const { return max_acceleration_; }
   /// Returns a lower bound of the time, in s, in which the arc can be driven. To be called before
   /// leave_margin().

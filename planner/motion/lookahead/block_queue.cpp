@@ -185,10 +185,10 @@ void BlockQueue::plan(const Limits& limits, const PlanTerms& terms, std::size_t 
 
 namespace {
 
-/// Returns whether a block may keep its entry state `before`: this equals the new entry state `now`
-/// or, without a time window, has only a slightly lower v². The tolerance ends the backward pass on
-/// arcs that are driven at their limit, where the effect of later blocks decreases but never
-/// becomes zero.
+/// Returns whether a block may keep its old entry state: `before` equals the new entry state `now`
+/// or, without a time window, has only a slightly lower v² than `now`. The tolerance ends the
+/// backward pass on arcs that are driven at their limit, where the effect of later blocks decreases
+/// but never becomes zero.
 bool as_good(const BrakingState& before, const BrakingState& now, const TimeWindow& window) {
   constexpr float kNegligible = 1.0F + 5.0e-5F;
   if (before == now) return true;

@@ -25,11 +25,12 @@ inline constexpr std::size_t kBlocksKept = 32;
 /// the type of the derived class, BlockQueueOf.
 ///
 /// The plan always ends at rest after the newest block, so it is valid at any time. Blocks that are
-/// added can only make it faster. Planning waits until a speed is required (`plan`), so blocks that
-/// arrive together are planned together.
+/// added can only make the plan faster. Planning waits until a speed is required (`plan`), so
+/// blocks that arrive together are planned together.
 ///
 /// Driven blocks are kept until newer blocks overwrite them. The storage has additional space for
-/// them, and they use free space, too. take_back() returns them to the queue.
+/// driven blocks, which also use the free space for waiting blocks. take_back() returns driven
+/// blocks to the queue.
 ///
 /// Main loop only.
 class BlockQueue : protected BlockRing {

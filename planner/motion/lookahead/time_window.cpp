@@ -9,12 +9,12 @@
 namespace cnc::motion {
 namespace {
 
-// Length of the shortest window, s. A shorter one would be below the resolution of step timing.
+// Length of the shortest window, s. A shorter window would be below the resolution of step timing.
 constexpr float kShortest = 0.25e-3F;
 constexpr float kLongest = 0.256F;  // Length of the longest window, s.
 /// Least length, in s, of a window that WindowChoice chooses. A shorter window has few cells, and
 /// so a coarse mean. If the greatest A / J of the axes (acceleration limit / jerk limit) is
-/// shorter, the window has that length instead.
+/// shorter, the least length is A / J.
 constexpr float kShortestChosen = 1.0e-3F;
 constexpr float kLongestCell = 1.0e-3F;
 constexpr float kShortestCell = 0.5e-3F;

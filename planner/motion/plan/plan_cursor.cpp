@@ -84,7 +84,8 @@ void PlanCursor::end_phase() {
 /// Returns the distance of a stretch as if the durations of phases were not rounded up to whole
 /// nanoseconds. Updates lead_, the distance that the motion drives in the delay that this rounding
 /// causes, and adds the change of lead_ to the distance. The lead may reach into the next phase,
-/// because a cell of the window may end exactly where a phase ends. It never reaches beyond a stop.
+/// because a cell of the window may end exactly where a phase ends. The lead never reaches beyond a
+/// stop.
 /// @param way distance of the stretch with the rounded durations
 PathUnits PlanCursor::way_in_time(PathUnits way) {
   const float late_mm = speed_ * clock_.late_ns(elapsed_ns_) * kSecondsPerNanosecond;

@@ -99,7 +99,7 @@ class PlanCursor {
   std::uint32_t followed_ = 0;
   bool replan_ = false;
 
-  // The block in which the plan is or, between two blocks, the next one.
+  // The block in which the plan is or, between two blocks, the next block.
   std::size_t index_ = 0;      ///< Index of the block in the queue.
   bool driving_ = false;       ///< True if the plan has begun the block.
   PathUnits length_ = 0;       ///< Length of the block.

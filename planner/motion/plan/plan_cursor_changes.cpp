@@ -191,10 +191,10 @@ void PlanCursor::bring_up_to_date(Drive drive) {
 }
 
 /// Applies lower overrides immediately: if the motion is too fast for them, it slows down. There is
-/// one exception. Where too many limit zones of later blocks reach into a block, some are merged,
-/// and the overrides decide which. A merged zone may reach farther than the zones under the old
-/// overrides. If the speed is too high for turning within this zone, no acceleration is left for
-/// braking. Then the lower overrides are postponed.
+/// one exception. Where too many limit zones of later blocks reach into a block, some of these
+/// zones are merged. The overrides determine which zones are merged. A merged zone may reach
+/// farther than the zones under the old overrides. If the speed is too high for turning within this
+/// zone, no acceleration is left for braking. Then the lower overrides are postponed.
 void PlanCursor::lower_pace(std::uint64_t passed_ns, Drive drive) {
   postponed_ns_ -= std::min(postponed_ns_, passed_ns);
   PlanTerms lower = terms_;
@@ -240,8 +240,8 @@ void PlanCursor::replan() {
 }
 
 /// Refuses blocks that arrived so late that the plan is already too fast for the limits that they
-/// impose on earlier blocks. The plan can always stop before these blocks, because it was made
-/// without them.
+/// impose on earlier blocks. The plan can always stop before the late blocks, because the present
+/// speed was planned without them.
 void PlanCursor::refuse_late_blocks() {
   if (!queue_.has_newest_behind(index_)) return;
   queue_.stop_before_newest();

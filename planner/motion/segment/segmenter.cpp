@@ -13,8 +13,8 @@ namespace {
 constexpr std::uint32_t kLongestSliceNs = 1'000'000;
 /// Longest slice where the speed of the path or of an axis changes by more than a third.
 constexpr std::uint32_t kShortSliceNs = 250'000;
-/// Slices shorter than this are joined to one segment, which is still short enough that a parabola
-/// fits its step times.
+/// Slices shorter than kShortestNs are joined to one segment of at most kLongestJoinedNs. Such a
+/// segment is short enough that a parabola fits its step times.
 constexpr std::uint32_t kShortestNs = SegmentRate::kShortest * kNsPerTick;
 constexpr std::uint32_t kLongestJoinedNs = 2 * kShortestNs;
 
