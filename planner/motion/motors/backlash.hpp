@@ -22,7 +22,7 @@ struct BacklashSetting {
   float acceleration = 1.0F;  ///< Greatest acceleration while the play is taken up, steps/s².
   /// Greatest jerk while the play is taken up, steps/s³; 0 is no limit.
   float jerk = 0.0F;
-  /// At power-up, the play is assumed to be taken up for motion towards plus.
+  /// True if the play is assumed to be taken up for motion towards plus at power-up.
   bool starts_towards_plus = true;
   constexpr bool operator==(const BacklashSetting&) const = default;
 };
