@@ -36,8 +36,8 @@ DirectionRange::DirectionRange(float start, float end) : all_{end - start >= kHa
 }
 
 // Except for its sign, the tangent share is the derivative of the normal share by the angle, and
-// vice versa. So over less than half a turn, each of the two shares is greatest at one of the ends,
-// or where the other share changes its sign.
+// vice versa. So over less than half a turn, the magnitude of a share is greatest at an end of the
+// range, or where the other share is 0. At that angle, the magnitude equals `axis.size`.
 AxisShares DirectionRange::greatest_shares(const AxisInPlane& axis) const {
   if (all_) return {axis.size, axis.size};
   const float tangent_start = axis.share(start_);

@@ -10,13 +10,14 @@
 
 namespace cnc::motion {
 
-/// Direction of an axis relative to the plane of an arc. For a speed in the plane whose direction
-/// has the angle φ, the axis has the share first · cos φ + second · sin φ of that speed.
+/// Direction of an axis relative to the plane of an arc. If the direction of travel has the angle φ
+/// in the plane, the speed of the axis is the share first · cos φ + second · sin φ of the speed in
+/// the plane.
 struct AxisInPlane {
   std::uint8_t axis = 0;
   float first = 0.0F;
   float second = 0.0F;
-  float size = 0.0F;  ///< Greatest share over all φ, at most 1.
+  float size = 0.0F;  ///< Greatest magnitude of the share over all φ, ≤ 1.
 
   [[nodiscard]] float share(const SinCos& angle) const {
     return angle.cosine * first + angle.sine * second;
@@ -26,8 +27,8 @@ struct AxisInPlane {
   [[nodiscard]] float normal_share(const SinCos& angle) const {
     return angle.cosine * second - angle.sine * first;
   }
-  /// Returns the angle, in quarter turns, at which the magnitude of the axis's share is greatest.
-  /// The angle is at least 0 and below 2.
+  /// Returns the angle of the direction of travel, in quarter turns, at which the magnitude of the
+  /// axis's share is greatest. The angle is at least 0 and below 2.
   [[nodiscard]] float quarters() const;
 };
 
@@ -47,8 +48,8 @@ class AxesInPlane {
   std::size_t count_ = 0;
 };
 
-/// Greatest shares of an axis in the direction of travel and in its normal, over a range of
-/// directions.
+/// Greatest magnitudes of an axis's shares over a range of directions of travel: of the share in
+/// the direction of travel (tangent), and of the share in its normal.
 struct AxisShares {
   float tangent = 0.0F;
   float normal = 0.0F;
@@ -66,8 +67,8 @@ class DirectionRange {
   /// than a quarter turn after `start`
   DirectionRange(const SinCos& start, const SinCos& end) : start_{start}, end_{end}, all_{false} {}
 
-  /// Returns the greatest shares of an axis over these directions. If the range is a quarter turn
-  /// or more, returns the greatest shares over all directions.
+  /// Returns the greatest shares of an axis over the directions of the range. If the range is a
+  /// quarter turn or more, returns the greatest shares over all directions in the plane.
   [[nodiscard]] AxisShares greatest_shares(const AxisInPlane& axis) const;
 
  private:

@@ -44,7 +44,8 @@ class BlockWay {
   float per_mm_ = 0.0F;  ///< Angle by which the path turns per mm of its length, in rad.
 };
 
-/// Returns the greatest sum of the rates of both rotary axes anywhere on a block, in rad/mm.
+/// Returns the greatest sum of the rates of the rotary axes on a block, in rad per mm of path. The
+/// rates are evaluated at three positions. An allowance for the positions between them is added.
 float rotary_rate(const Block& block, const BlockWay& way) {
   constexpr std::array<float, 3> kShares{0.0F, 0.5F, 1.0F};
   float greatest = 0.0F;
@@ -62,9 +63,9 @@ float rotary_rate(const Block& block, const BlockWay& way) {
 
 }  // namespace
 
-// The motion of the axes is evaluated at kLooks positions, equally spaced. Every position of the
-// block is within an eighth of the block's length of one of them. Over that distance, a derivative
-// changes by at most the distance times the bound of the next higher derivative.
+// The motion of the axes is evaluated at kLooks positions, equally spaced. From any position of the
+// block, the nearest of these is at most an eighth of the block's length away. Over this distance,
+// a derivative changes by at most the distance times the bound of the next higher derivative.
 AxisCourse axis_course(const Block& block,
                        const Position& start,
                        const kinematics::ToolCentre& centre) {
@@ -85,8 +86,8 @@ AxisCourse axis_course(const Block& block,
   const float third = kinematics::ToolCentre::third_derivative(lever, rate, way.curvature());
   course.second.array() += between * third;
   course.first += between * course.second;
-  // The distance of a curve from its chord is at most that of an arc with the greatest curvature of
-  // the curve. This bounds the positions between two evaluated ones.
+  // Between two evaluated positions, the position of an axis deviates from the straight line
+  // through them by at most ½ · between² · (greatest second derivative).
   const Vec3 beyond = 0.5F * square(between) * course.second;
   const float anywhere = 2.0F * lever + block.length;
   course.least -= beyond.cwiseMin(anywhere);

@@ -7,12 +7,13 @@
 
 namespace cnc::motion {
 
-/// Bounds of the motion of the axes X Y Z on a block on which rotary axes move the tip.
+/// Bounds of the motion of the axes X Y Z on a block whose rotary axes move the tip of the tool.
 struct AxisCourse {
-  /// Greatest first derivatives by path length, as magnitudes, mm per mm.
+  /// Greatest magnitudes of the positions' first derivatives by path length, mm per mm.
   Vec3 first = Vec3::Zero();
-  Vec3 second = Vec3::Zero();  ///< Greatest second derivatives by path length, as magnitudes, 1/mm.
-  Vec3 least = Vec3::Zero();   ///< Least positions, mm, relative to ToolCentre::centre().
+  /// Greatest magnitudes of the positions' second derivatives by path length, 1/mm.
+  Vec3 second = Vec3::Zero();
+  Vec3 least = Vec3::Zero();  ///< Least positions, mm, relative to ToolCentre::centre().
   Vec3 most = Vec3::Zero();
 };
 
@@ -24,9 +25,9 @@ struct AxisCourse {
                                      const Position& start,
                                      const kinematics::ToolCentre& centre);
 
-/// Lowers the speed and the acceleration of a block so that the axes X Y Z keep their limits, too,
-/// at up to twice the programmed feed. Turning may use half of an axis's acceleration. The change
-/// of speed may use the rest.
+/// Lowers the limits of speed and acceleration of a block so that the axes X Y Z keep their own
+/// limits at up to twice the programmed feed. At constant speed along the path, an axis may use
+/// half of its acceleration limit. A change of speed along the path may use the rest.
 void limit_axes(Block& block, const AxisCourse& course, const Limits& limits);
 
 }  // namespace cnc::motion

@@ -39,14 +39,15 @@ struct Turn {
 
 /// Limits of a block that also hold on a part of the neighbouring blocks, under a time window.
 ///
-/// The motion is the mean of the plan over a window of time T. So the plan must keep the limits of
-/// a position from about v · T / 2 before the position to about v · T / 2 after it.
+/// The motion is the mean of the plan over a window of time T. So at the speed v, the plan must
+/// keep the limits of a position from about v · T / 2 before this position to about v · T / 2 after
+/// it.
 struct LimitZone {
-  /// Length of the zone, mm, from the joint over which it reaches into a neighbouring block; 0
-  /// means that there is no zone.
+  /// Length of the zone, mm, measured from the joint through which it reaches into a neighbouring
+  /// block; 0 means that there is no zone.
   float length = 0.0F;
   float speed_square = 1.0e12F;  ///< Greatest v², mm²/s².
-  /// Greatest acceleration for turning and change of speed together, mm/s².
+  /// Greatest acceleration, mm/s², that turning and the change of speed may use together.
   float acceleration = 1.0e9F;
   Turning turning{};
   constexpr bool operator==(const LimitZone&) const = default;
@@ -55,8 +56,9 @@ struct LimitZone {
 /// State of the look-ahead's backward pass at one point of the path.
 ///
 /// Under a time window T, a motion that speeds up must be able to keep its speed for T before it
-/// brakes. Let X be v² on the braking curve at this point, extended beyond the caps that cut the
-/// curve off. Let a be the steepest braking ahead. Then the motion may speed up to
+/// brakes. Let X be v² at this point on the braking curve, which is extended beyond the speed
+/// limits that cut it off. Let a be the greatest deceleration ahead. Then the motion may speed up
+/// to
 ///   sqrt(X + a² T²) − a T,
 /// because a level speed v over T uses the distance v T, over which the curve falls by 2 a v T.
 ///
@@ -66,17 +68,17 @@ struct BrakingState {
   /// Greatest v² from which the rest of the path can be driven, mm²/s².
   float speed_square = 0.0F;
   float commit_square = 0.0F;  ///< X: v² on the extended braking curve, mm²/s².
-  float steepest = 0.0F;       ///< a: steepest braking on the path ahead, mm/s².
+  float steepest = 0.0F;       ///< a: greatest deceleration ahead, mm/s².
   /// Speed that the motion can keep on the path ahead, mm/s; 0 without a time window.
   float kept = 0.0F;
   constexpr bool operator==(const BrakingState&) const = default;
 };
 
-/// Limit zones that reach into a block over one of its ends; at most two.
+/// The limit zones, at most two, that reach into a block through one of its ends.
 using BlockZones = std::array<LimitZone, 2>;
 
-/// One line, arc or helix in the planner. The geometry is in steps, because it is used for pulses.
-/// The limits are in mm and seconds, because they are used for planning the speed.
+/// One line, arc or helix in the planner. The geometry is in steps, because step pulses are
+/// computed from it. The limits are in mm and seconds, because the speed is planned in these units.
 ///
 /// Path length, speed and acceleration are measured in the Euclidean metric of all six axes. For a
 /// motion of X Y Z alone, path length is in millimetres along the tool path.
@@ -86,17 +88,18 @@ struct Block {
   AxisArray<StepPosition> normal{};
   Turn turn{};
 
-  AxisArray<float> direction{};  ///< Unit tangent of a line; on an arc, its part outside the plane.
-  float length = 0.0F;           ///< Length of the path, mm.
-  float feed = 0.0F;             ///< Programmed speed along the path, mm/s; 0 for a rapid.
-  bool from_rest = true;         ///< True if the machine is at rest at the start of the block.
-  bool fixed_feed = false;       ///< True if feed and rapid overrides do not change the speed.
-  OutputChanges outputs{};       ///< Output changes at the start of the block.
+  /// Unit tangent of the path. On an arc, only its part outside the plane of the arc.
+  AxisArray<float> direction{};
+  float length = 0.0F;      ///< Length of the path, mm.
+  float feed = 0.0F;        ///< Programmed speed along the path, mm/s; 0 for a rapid.
+  bool from_rest = true;    ///< True if the machine is at rest at the start of the block.
+  bool fixed_feed = false;  ///< True if feed and rapid overrides do not change the speed.
+  OutputChanges outputs{};  ///< Output changes at the start of the block.
   /// Greatest acceleration along the path, mm/s², that is allowed by the axes outside the plane of
   /// an arc or, on a line, by all axes.
   float acceleration = 0.0F;
-  /// Greatest v² that the axis rates and step rates allow, mm²/s². Spans adds the limits of
-  /// turning.
+  /// Greatest v² that the axis rates and step rates allow, mm²/s². The class Spans adds the limits
+  /// of turning.
   float speed_limit_square = 0.0F;
   /// The members from here to `tail` are results of the look-ahead. They change when later blocks
   /// are added.
@@ -107,7 +110,8 @@ struct Block {
   BlockZones tail{};  ///< Limit zones of later blocks that reach into this block.
 
   BeamCommand beam{};
-  RowPart row{};  ///< Part of a row; if row.any(), the pixels of the row set the duty.
+  /// Part of a row of pixels that the block drives. If row.any(), the pixels set the duty.
+  RowPart row{};
   SourceLine line{};
 
   [[nodiscard]] bool is_rapid() const { return feed <= 0.0F; }

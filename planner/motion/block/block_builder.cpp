@@ -116,8 +116,8 @@ float six_axis_feed(float feed, float linear_length, float length) {
   return linear_length > 0.0F ? feed * (length / linear_length) : feed;
 }
 
-/// Returns the length of an arc along X Y Z as a share of its length in its plane. If rotary axes
-/// move in the plane, returns the same share of the chord instead.
+/// Returns the ratio of an arc's length along X Y Z to its length along all axes of its plane. In
+/// an oblique plane, in which rotary axes may move, returns this ratio for the chord instead.
 float linear_share(const ArcPlane& plane, const AxisVector& chord) {
   return plane.oblique() ? linear_norm(chord) / norm(chord) : 1.0F;
 }

@@ -19,7 +19,8 @@ struct MotionRequest {
   /// Speed along X Y Z, mm/s, or degrees/s if only A B C move; 0 for a rapid.
   float feed_mm_s = 0.0F;
   BeamCommand beam{};
-  RowPart row{};  ///< Part of a row; if row.any(), the pixels of the row set the duty.
+  /// Part of a row of pixels that the element drives. If row.any(), the pixels set the duty.
+  RowPart row{};
   OutputChanges outputs{};
   SourceLine line{};
   /// True if overrides do not change the feed, as in jogs, homing and parking.

@@ -10,7 +10,7 @@ namespace cnc::motion {
 /// happen at the start of the whole block.
 ///
 /// The result deviates from the whole block by at most 1e-6 of the block's length plus 2 nm,
-/// because angles and the turned chord are in single precision. The end is exact.
+/// because the angles and `Block::normal` are computed in single precision. The end is exact.
 /// @param start position of the motors at `place`
 /// @pre 0 ≤ place < length_in_units(block)
 [[nodiscard]] Block rest_of(const Block& block,

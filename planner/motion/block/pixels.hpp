@@ -46,11 +46,12 @@ struct RowPart {
 /// Main loop only.
 class Pixels {
  public:
-  /// Greatest number of waiting pixels. It covers 68 ms at 20,000 pixels per second: braking from
-  /// 300 mm/s at 5000 mm/s², and 8 ms more.
+  /// Greatest number of waiting pixels. At 20,000 pixels per second, they last longer than 68 ms:
+  /// the 60 ms of braking from 300 mm/s at 5000 mm/s², and 8 ms more.
   static constexpr std::size_t kMax = 1536;
 
-  /// Least number of driven pixels that are kept: 25 ms at 20,000 pixels per second, and two rows.
+  /// Least number of driven pixels that are kept. It covers the pixels of 25 ms, at 20,000 pixels
+  /// per second, and of two rows.
   static constexpr std::size_t kKept = 640;
 
   [[nodiscard]] std::size_t room() const { return size() < kMax ? kMax - size() : 0; }
@@ -73,19 +74,21 @@ class Pixels {
     CNC_ASSERT(!empty());
     return pixels_[slot_];
   }
-  /// Marks the oldest waiting pixel as driven. It is kept. @pre !empty()
+  /// Marks the oldest waiting pixel as driven. The pixel is kept for take_back(). @pre !empty()
   void pop() {
     CNC_ASSERT(!empty());
     ++first_;
     ++kept_;
     slot_ = slot_of(1);
   }
-  /// Marks all pixels before `number` as driven. They are kept.
+  /// Marks all waiting pixels before the pixel `number` as driven. The pixels are kept for
+  /// take_back().
   /// @param number number of a waiting pixel, or next()
   void drop_before(std::uint32_t number) {
     while (!empty() && static_cast<std::int32_t>(number - first_) > 0) pop();
   }
-  /// Makes a driven pixel the oldest waiting one. Returns false if the pixel is no longer kept.
+  /// Makes the driven pixel `number` the oldest waiting one. Returns false if this pixel is no
+  /// longer kept, or if there would be no free space for the last two pixels of a row, see push().
   [[nodiscard]] bool take_back(std::uint32_t number) {
     const std::uint32_t count = first_ - number;
     if (static_cast<std::int32_t>(count) <= 0) return true;

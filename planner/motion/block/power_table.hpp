@@ -25,13 +25,14 @@ enum class PowerTableError : std::uint8_t {
   kBeyondRange,       ///< A duty is above 100 %, or a power is above 10 kW.
   kLightWithoutDuty,  ///< A power is above 0 W at a duty of 0.
   kDutyNotRising,     ///< A duty is not greater than the duty of the point before it.
-  /// A power is not greater than the one of the point before it, or the last is 0 W.
+  /// A power is not greater than the power of the point before it, or the last power is 0 W.
   kWattsNotRising,
 };
 
 /// The power of a beam as a function of the output's duty: points in rising order, with straight
-/// lines between them. The table begins at 0 % with 0 W, so a first point of 0 W is a threshold.
-/// Duty and power both rise strictly, so the table can be read in both directions.
+/// lines between them. The table begins at 0 % with 0 W. So if the first point has 0 W, its duty is
+/// a threshold, up to which the beam has no power. Duty and power both rise strictly, so each can
+/// be computed from the other.
 ///
 /// The S word gives the required power as a share of the last point's power. Without points, the S
 /// word gives the duty itself.
@@ -45,9 +46,9 @@ class PowerTable {
   [[nodiscard]] std::span<const PowerPoint> points() const { return {points_.data(), count_}; }
 
   /// Returns the duty for a share of the greatest power, both 0…1. The duty rises with the share.
-  /// For a share of 0 it is the threshold, up to which the beam has no power. Error at most 3e-7.
+  /// For a share of 0, the result is the threshold. The error is at most 3e-7.
   [[nodiscard]] float duty_for(float share) const;
-  /// Returns the share of the greatest power at a duty, both 0…1. Error at most 3e-7.
+  /// Returns the share of the greatest power at a duty, both 0…1. The error is at most 3e-7.
   [[nodiscard]] float share_of(float duty) const;
 
   bool operator==(const PowerTable&) const = default;
@@ -60,7 +61,7 @@ class PowerTable {
 /// Relation between the required power of a beam and the duty of its output.
 struct BeamResponse {
   PowerTable table{};
-  /// Least duty, 0…1, of a beam whose power follows the speed, unless its S is 0.
+  /// Least duty, 0…1, of a beam whose power follows the speed, unless the S word is 0.
   float min_duty = 0.0F;
   bool operator==(const BeamResponse&) const = default;
 };

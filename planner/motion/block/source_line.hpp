@@ -4,8 +4,9 @@
 
 namespace cnc::motion {
 
-/// Origin of a motion in the program: the N word of its line, and the number of the part of that
-/// line. The part is needed because a full circle passes its start twice.
+/// Origin of a motion in the program: the N word of its line, and the number of the motion's part
+/// of this line. The part is needed to distinguish the start of a full circle from its end, which
+/// is at the same position.
 struct SourceLine {
   static constexpr std::uint32_t kMaxParts = 255;
 

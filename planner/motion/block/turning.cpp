@@ -24,7 +24,7 @@ float Turning::speed_limit_square(float window_s) const {
   if (curvature <= 0.0F || window_s <= 0.0F) return kNoLimit;
   const float centripetal = 1.0F / speed_ratio;
   constexpr float kJerkShare = 0.95F;
-  constexpr float kCubes = 1.0e25F;  // Greatest argument of cube_root(); 1 / kCubes is its least.
+  constexpr float kCubes = 1.0e25F;  // Greatest argument of cube_root(). The least is 1 / kCubes.
   const float cube = kJerkShare / (window_s * jerk_ratio);
   return std::min(centripetal, square(cube_root(std::clamp(cube, 1.0F / kCubes, kCubes))));
 }

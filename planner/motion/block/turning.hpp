@@ -5,8 +5,8 @@
 namespace cnc::motion {
 
 /// Division of an acceleration limit A on a curve between turning and the change of speed. A is
-/// assumed to be the same in all directions. With curvature κ, speed v and path acceleration a = α
-/// A:
+/// assumed to be the same in all directions. Let κ be the curvature, v the speed, and a the
+/// acceleration along the path. With α = a / A, the limits are
 ///   α² + (v² κ / A)² ≤ 1
 /// and, where a time window T limits jerk to A / T,
 ///   (α / T + v³ κ² / A)² + (3 κ v α)² ≤ 1 / T²,
@@ -20,8 +20,8 @@ struct Turning {
   [[nodiscard]] static Turning of(float curvature, float acceleration);
 
   /// Returns the v² at which turning at constant speed requires all of A, or the v² at which it
-  /// requires 95 % of the jerk, whichever is lower. The other 5 % of the jerk are left for reaching
-  /// that speed.
+  /// requires 95 % of the jerk limit, whichever is lower. The other 5 % of the jerk limit are left
+  /// for speeding up to that v².
   /// @param window_s T in s. Without a window it is 0: then each axis has its own limit, which is
   /// not known here, and the function returns 1e12, which is no limit.
   [[nodiscard]] float speed_limit_square(float window_s) const;
@@ -29,7 +29,8 @@ struct Turning {
   /// Returns the greatest a that may hold over `distance` mm, from a point where v² is
   /// `speed_square`. v² is assumed to grow over the whole distance, but at most to `cap_square`.
   /// @param acceleration A along the path
-  /// @param lag_s time for which v is assumed to continue growing by a; see lag_of()
+  /// @param lag_s time for which v is assumed to continue growing by a after `distance`; see
+  /// lag_of()
   /// @pre window_s > 0
   [[nodiscard]] float steepest(float acceleration,
                                float distance,
@@ -51,8 +52,8 @@ struct Turning {
                                           float speed_square) const;
 };
 
-/// Returns the time, in s, for which the speed is assumed to continue growing by the acceleration a
-/// before the acceleration of the motion ends. The time is at most 0.35 of the time window T. It is
+/// Returns the time, in s, for which Turning::steepest() assumes that the speed continues to grow
+/// by the acceleration a after `distance`. The time is at most 0.35 of the time window T. It is
 /// shorter on a path that turns more.
 ///
 /// The motion is the mean of the plan over the window. Where the plan begins to speed up by a, the

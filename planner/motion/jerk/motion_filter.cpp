@@ -23,7 +23,7 @@ void MotionFilter::add(const Stretch& stretch) {
   CNC_ASSERT(duration_ns <= room_ns());
   const float sum = stretch.start_speed + stretch.end_speed;
   // Mean over time of the distance driven since the start of the stretch, as a share of the whole
-  // distance of the stretch. Its acceleration is constant.
+  // distance of the stretch. The formula is exact, because the acceleration is constant.
   const float mean =
       sum > 0.0F ? (2.0F * stretch.start_speed + stretch.end_speed) / (3.0F * sum) : 0.5F;
   const float way = to_mm(place_ - from_) + mean * to_mm(stretch.way);

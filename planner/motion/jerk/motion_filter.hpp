@@ -13,8 +13,8 @@ namespace cnc::motion {
 ///
 /// Time is divided into cells of equal duration, see TimeWindow. The plan is added stretch by
 /// stretch until a cell is full. Then the motion in the time of that cell can be taken. Means are
-/// exact integers, so the motion ends exactly where the plan ends. The speed and the acceleration
-/// of the motion are those of the exact mean at the boundaries of cells.
+/// exact integers, so the motion ends exactly where the plan ends. At the boundaries of cells, the
+/// motion has the speed and the acceleration of the exact mean.
 class MotionFilter {
  public:
   /// Begins a motion from rest with the given window. @pre window.filters()
@@ -39,7 +39,7 @@ class MotionFilter {
   struct Cell {
     PathUnits mean = 0;  ///< Mean of the plan's position in the cell.
     PathUnits end = 0;   ///< The plan's position at the end of the cell.
-    /// Time from the start of the cell to the end of the plan's last motion in it.
+    /// Time from the start of the cell to the end of the plan's last motion in the cell, ns.
     std::uint32_t moved_ns = 0;
   };
 

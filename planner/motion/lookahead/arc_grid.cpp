@@ -9,7 +9,8 @@ namespace cnc::motion {
 namespace {
 
 /// Least angle between a boundary and an end of the arc, in radians. A nearer boundary is left out.
-/// A reversal so near to an end moves an axis by R · 5e-11, which is far below a step.
+/// If an axis reverses there, it moves by only R · 5e-11 on an arc of radius R, which is far below
+/// a step.
 constexpr float kSliver = 1.0e-5F;
 
 constexpr int kGridPerQuarter = ArcGrid::kPerTurn / 4;

@@ -12,11 +12,11 @@ namespace {
 /// positions at most `angle` radians apart. This angle is a step of the grid or the reach of the
 /// window.
 ///
-/// Between two such positions, the acceleration f of an axis can rise by at most (angle)² / 8 ·
-/// |f″|. |f″| is at most 5 times the limit. This follows from f = t·a + t′·v², where t is the share
-/// of the axis in the tangent, differentiated twice by the angle, with v² linear in the angle. For
-/// 3.75° the rise is 0.27 %. At least a thousandth is left for rounding and for measurements by
-/// steps.
+/// Between two such positions, the acceleration f of an axis can exceed its values at these
+/// positions by at most (angle)² / 8 · |f″|. To bound |f″|, f = t·a + t′·v² is differentiated twice
+/// by the angle, with v² linear in the angle. Here t is the share of the axis in the tangent. The
+/// bound is 5 times the limit. For 3.75° the excess is 0.27 %. At least a thousandth is left for
+/// rounding, and for measurements of the acceleration from step pulses.
 float margin_for(float angle) {
   constexpr float kRounding = 2.0e-4F;
   constexpr float kMin = 1.0e-3F;
@@ -43,11 +43,12 @@ ArcLimits::ArcLimits(const Block& block,
   divide_between_turning_and_speed(arc, any_direction, block.reachable_square, window.seconds());
 }
 
-/// Limits the speed so that the axes can turn at this speed in any direction. Sets reach_ to the
-/// angle over which the time window reaches at the speed before kTurningShare lowers it.
+/// Limits the speed so that turning keeps the limits of the axes in every direction of travel. Sets
+/// reach_ to the angle over which the time window reaches. This angle is computed with the speed
+/// limit before kTurningShare lowers the limit.
 void ArcLimits::limit_speed(const ArcShape& arc, const TimeWindow& window) {
-  /// Share of the v² at which turning would use all acceleration. At this share, a third of the
-  /// acceleration is left for slowing down after a lower override or a feed hold.
+  /// Greatest v² as a share of the v² at which turning would use all acceleration. It leaves a
+  /// third of the acceleration for slowing down after a lower override or a feed hold.
   constexpr float kTurningShare = 0.95F;
   const float to_plane = square(arc.plane_share());
   speed_square_ = std::min(speed_square_, turning_.speed_limit_square(window.seconds()) / to_plane);
@@ -59,10 +60,10 @@ void ArcLimits::limit_speed(const ArcShape& arc, const TimeWindow& window) {
 
 /// Divides the acceleration between turning and the change of speed.
 ///
-/// On an arc whose tangents have few directions, more acceleration is possible than the least of
-/// the axes' limits. The acceleration that turning requires is compared with the limits along all
-/// normals of the arc. The rest of each axis's limit is compared along all tangents. A tangential
-/// acceleration a and a normal acceleration b are possible if, for each axis i with the limit A_i,
+/// If the tangents of an arc cover only a small range of directions, more acceleration is possible
+/// than the least of the axes' limits. Turning uses a part of each axis's limit along all normals
+/// of the arc. The change of speed may use the rest along all tangents. A tangential acceleration a
+/// and a normal acceleration b are possible if, for each axis i with the limit A_i,
 ///   (T_i a)² + (N_i b)² ≤ A_i²,
 /// where T_i and N_i are the axis's greatest shares in the tangents and in the normals.
 void ArcLimits::divide_between_turning_and_speed(const ArcShape& arc,

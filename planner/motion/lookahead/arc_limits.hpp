@@ -36,15 +36,15 @@ class ArcLimits {
   /// Returns the acceleration within the plane, in mm/s², that is allowed in all directions of the
   /// arc. turning() divides it between turning and the change of speed.
   [[nodiscard]] float plane_acceleration() const { return plane_acceleration_; }
-  /// Returns the acceleration within the plane, in mm/s², that would be possible if the arc did not
-  /// require any for turning.
+  /// Returns the acceleration within the plane, in mm/s², that would be possible if turning did not
+  /// require any acceleration.
   [[nodiscard]] float max_acceleration() const { return max_acceleration_; }
   /// Returns a lower bound of the time, in s, in which the arc can be driven. To be called before
   /// leave_margin().
   /// @param length length of the path along the arc, mm
   [[nodiscard]] float shortest_time(const ArcShape& arc, float length) const;
 
-  /// Returns the greatest v² over a range of directions.
+  /// Returns the greatest v² that is allowed in all directions of a range.
   /// @param turning_limits whether to limit the centripetal acceleration of each axis. Under a
   /// window this is not necessary, because the limits of the whole arc include it.
   [[nodiscard]] float speed_square(const ArcShape& arc,

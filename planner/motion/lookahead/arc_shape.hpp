@@ -46,7 +46,8 @@ class ArcShape {
   [[nodiscard]] float angle_at(float distance) const {
     return start_angle_ + distance / mm_per_radian_;
   }
-  /// Returns the distance from the start, in mm, at which the tangent has an angle. @pre turns()
+  /// Returns the distance from the start, in mm, at which the tangent has the angle `angle` in
+  /// radians. @pre turns()
   [[nodiscard]] float distance_to(float angle) const {
     return (angle - start_angle_) * mm_per_radian_;
   }

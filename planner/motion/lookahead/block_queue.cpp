@@ -71,7 +71,8 @@ float max_square(const Spans& spans, const Block& block, const PlanTerms& terms)
 }
 
 /// Returns the limit zone that a block imposes on the blocks before and after it. The zone's speed
-/// is the lowest speed limit on the block. Its length follows from the greatest speed on the block.
+/// is the lowest speed limit on the block. The length of the zone follows from the greatest speed
+/// on the block.
 LimitZone zone_of(const Spans& spans, const Block& block, const PlanTerms& terms) {
   const SpeedCap cap{block, terms.overrides};
   float least = LimitZone{}.speed_square;
@@ -131,8 +132,8 @@ void BlockQueue::stop_before_newest() {
 void BlockQueue::lay_heads(const Limits& limits, const PlanTerms& terms, std::size_t end) {
   if (!terms.window.filters()) return;
   if (unplanned_ == size()) {
-    // front_trail_ itself stays unchanged. So if new overrides are refused, planning under the old
-    // ones gives the old plan again.
+    // front_trail_ itself stays unchanged. So if new overrides are refused, planning with the old
+    // overrides gives the old plan again.
     trail_ = front_trail_;
     reachable_square_ = left_square_;
   }
@@ -168,7 +169,8 @@ BrakingState entry_for(const Block& block,
     return {.speed_square = brake_over_line(block, cap, exit.speed_square)};
   }
   const Spans spans{block, limits, terms.window};
-  // Cost of planning a span here, relative to planning a line without a time window.
+  // Cost of planning a span of an arc or under a time window, relative to planning a line without a
+  // window.
   constexpr std::uint32_t kCostOfSpan = 2;
   looked_at += kCostOfSpan * static_cast<std::uint32_t>(spans.count());
   return brake_backwards(spans, cap, exit);
@@ -183,10 +185,10 @@ void BlockQueue::plan(const Limits& limits, const PlanTerms& terms, std::size_t 
 
 namespace {
 
-/// Returns whether a block may keep its entry state `before`: this equals the new entry state `now`
-/// or, without a time window, has only a slightly lower v². The tolerance ends the backward pass on
-/// arcs that are driven at their limit, where the effect of later blocks decreases but never
-/// becomes zero.
+/// Returns whether a block may keep its old entry state: `before` equals the new entry state `now`
+/// or, without a time window, has only a slightly lower v² than `now`. The tolerance ends the
+/// backward pass on arcs that are driven at their limit, where the effect of later blocks decreases
+/// but never becomes zero.
 bool as_good(const BrakingState& before, const BrakingState& now, const TimeWindow& window) {
   constexpr float kNegligible = 1.0F + 5.0e-5F;
   if (before == now) return true;

@@ -17,19 +17,20 @@ namespace cnc::motion {
 inline constexpr std::size_t kLookAheadBlocks = 128;
 
 /// Least number of driven blocks that can be taken back. Segments of a motion are made up to 20 ms
-/// and a few cycles before they are driven. At 1,300 blocks per second, at most this number of
-/// blocks is driven in that time.
+/// and a few cycles of the main loop before they are driven. At 1,300 blocks per second, at most
+/// this number of blocks is driven in that time.
 inline constexpr std::size_t kBlocksKept = 32;
 
 /// Blocks that wait to be driven, oldest first, in a ring, and their look-ahead. The capacity is in
 /// the type of the derived class, BlockQueueOf.
 ///
 /// The plan always ends at rest after the newest block, so it is valid at any time. Blocks that are
-/// added can only make it faster. Planning waits until a speed is required (`plan`), so blocks that
-/// arrive together are planned together.
+/// added can only make the plan faster. Planning waits until a speed is required (`plan`), so
+/// blocks that arrive together are planned together.
 ///
 /// Driven blocks are kept until newer blocks overwrite them. The storage has additional space for
-/// them, and they use free space, too. take_back() returns them to the queue.
+/// driven blocks, which also use the free space for waiting blocks. take_back() returns driven
+/// blocks to the queue.
 ///
 /// Main loop only.
 class BlockQueue : protected BlockRing {
@@ -86,7 +87,8 @@ class BlockQueue : protected BlockRing {
   /// twice, and so does every span under a time window. The caller budgets planning time with this
   /// count.
   [[nodiscard]] std::uint32_t looked_at() const { return looked_at_; }
-  /// Makes the next plan include all blocks, because no further block will come for some time.
+  /// Makes the next plan include all blocks. To be called if no further block will come for some
+  /// time.
   void leave_none_out() { leaves_none_out_ = unplanned_ > 0; }
   /// Marks the newest block as the last known one. A motion that starts from rest may then treat
   /// the end of this block as a stop.
@@ -96,8 +98,8 @@ class BlockQueue : protected BlockRing {
   void stop_at_end() { stops_at_end_ = true; }
   /// Marks all blocks as unplanned, because limits or overrides have changed.
   void forget_plan() { unplanned_ = size(); }
-  /// Refuses the blocks that were new in the last plan, because they came too late. The joint
-  /// before them becomes a stop, so the plan without them stays valid.
+  /// Makes the joint before the blocks that were new in the last plan a stop, because these blocks
+  /// came too late. So the plan without these blocks stays valid.
   void stop_before_newest();
   /// Returns whether the last plan included new blocks, all of which are after the block at index
   /// `lead`.
@@ -137,10 +139,10 @@ class BlockQueue : protected BlockRing {
   std::uint32_t plans_ = 0;
   std::uint32_t looked_at_ = 0;
 
-  // Zones that blocks impose on later blocks, and the speeds that belong to them.
-  ZoneTrail trail_{};        ///< Limit zones of the blocks whose heads are set.
+  // Limit zones that blocks impose on later blocks, and the greatest speeds after these blocks.
+  ZoneTrail trail_{};        ///< Limit zones of the blocks whose `head` is set.
   ZoneTrail front_trail_{};  ///< Limit zones of the removed blocks.
-  /// Greatest v² at the end of the newest block whose head is set.
+  /// Greatest v² at the end of the newest block whose `head` is set.
   float reachable_square_ = 0.0F;
   float left_square_ = 0.0F;  ///< Greatest v² at the end of the block that was removed last.
 };

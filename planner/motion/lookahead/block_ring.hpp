@@ -9,9 +9,9 @@
 namespace cnc::motion {
 
 /// Blocks in the order in which they are driven, in storage of fixed size. The waiting blocks come
-/// first, oldest first. Driven blocks have the rest of the ring, until newer blocks overwrite them.
-/// A share of the storage is reserved for driven blocks. They use all free space, too, and can
-/// return to the front.
+/// first, oldest first. Driven blocks are kept in the rest of the ring, until newer blocks
+/// overwrite them, and can return to the front. A part of the storage is reserved for driven
+/// blocks. They also use the free space of the other part.
 ///
 /// The ring does not compute speeds; BlockQueue does. Main loop only.
 class BlockRing {
@@ -21,7 +21,7 @@ class BlockRing {
   BlockRing(std::span<Block> storage, std::size_t kept)
       : blocks_{storage}, capacity_{storage.size() - kept} {}
 
-  /// Returns the number of blocks that may wait, unless blocks are taken back.
+  /// Returns the greatest number of waiting blocks. Only blocks that are taken back may exceed it.
   [[nodiscard]] std::size_t capacity() const { return capacity_; }
   /// Returns whether no block may be added. After blocks were taken back, more than capacity()
   /// blocks may be waiting.
@@ -98,8 +98,8 @@ class BlockRing {
   }
 
  private:
-  /// Returns the index in the storage. It is computed without a division, which would be slow,
-  /// because the capacity is not a constant here.
+  /// Returns the index in the storage of the block at `index`. It is computed without a division,
+  /// which would be slow, because the size of the storage is not a constant here.
   [[nodiscard]] std::size_t place_of(std::size_t index) const {
     const std::size_t place = first_ + index;
     return place < blocks_.size() ? place : place - blocks_.size();

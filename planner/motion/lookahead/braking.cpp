@@ -10,8 +10,9 @@ BrakingState start_of(const BrakingPoint& point, float length, float window_s) {
   start.speed_square = std::min(point.cap_square, std::max(end_square, from));
   start.steepest = point.steepest;
   start.commit_square = point.commit_square(length);
-  // If only the cap limits the state at the start, the path after the span has no effect on earlier
-  // states. Then X of BrakingState is made just large enough that commit_speed() returns the cap.
+  // If only the cap limits the state at the start, the path after the span has no effect on the
+  // states before the span. Then X of BrakingState is made just large enough that commit_speed()
+  // returns the cap.
   if (window_s <= 0.0F) return start;
   const float cap = std::sqrt(point.cap_square);
   start.kept = std::min(cap, point.committed(length, window_s));

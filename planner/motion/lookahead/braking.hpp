@@ -9,8 +9,8 @@
 
 namespace cnc::motion {
 
-/// Greatest share that counts as rounding: of v² for a gain of v², and of the distance for a phase
-/// at level speed.
+/// Greatest share that counts as rounding. A gain of v² is compared with v². The length of a phase
+/// at level speed is compared with the distance to the end of the span.
 inline constexpr float kNegligibleShare = 1.0e-5F;
 
 /// Returns the speed, in mm/s, up to which the motion may speed up, because it can then keep this
@@ -64,10 +64,10 @@ struct BrakingPoint {
 /// last one back to the span `first`, with its BrakingPoint. Returns the state at the start of the
 /// last visited span from which `exit` can be reached at the end of the block.
 ///
-/// The acceleration limits are linear in (a, v²) and allow a = 0 below the speed limit. So the
-/// values of v² from which braking is possible always form an interval from 0, and it is optimal to
-/// take the largest value span by span (Pham and Pham, "A new approach to time-optimal path
-/// parameterization", IEEE T-RO 34(3), 2018).
+/// The limits of the axes' accelerations are linear in the path acceleration a and in v², and allow
+/// a = 0 below the speed limit. So the values of v² from which braking is possible always form an
+/// interval from 0, and it is optimal to take the largest value span by span (Pham and Pham, "A new
+/// approach to time-optimal path parameterization", IEEE T-RO 34(3), 2018).
 template <typename Visitor>
 BrakingState brake_backwards(const Spans& spans,
                              const SpeedCap& cap,

@@ -6,7 +6,7 @@
 namespace cnc::motion {
 namespace {
 
-constexpr float kNoLength = 1.0e12F;  // Longer than any vector.
+constexpr float kNoLength = 1.0e12F;  // Greater than the length of any vector.
 
 }  // namespace
 

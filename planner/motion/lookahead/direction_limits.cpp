@@ -32,8 +32,9 @@ float DirectionLimits::at(const Place& place, Speeds speeds, float most) const {
   return most;
 }
 
-/// The jerk of an axis is at most t (a / T + κ² v³) + n 3 κ v a, where T is the time window, and t
-/// and n are the shares of the axis in the tangent and in the normal.
+/// Uses the bound t (a / T + κ² v³) + n 3 κ v a of the jerk of an axis. Here T is the time window,
+/// κ the curvature, and a the acceleration along the path. The shares of the axis in the tangent
+/// and in the normal are t and n.
 float DirectionLimits::within_jerk(const DirectionRange& directions,
                                    float most,
                                    float window_s) const {

@@ -7,7 +7,8 @@ namespace cnc::motion {
 
 /// Limits of a change of speed on a span of an arc, if the directions of travel within the time
 /// window differ little. Each axis is limited by its own shares of the tangent and of the normal.
-/// The object refers to its arguments, which must outlive it.
+/// The speed is known at one position (the known speed), and the change leads to the reached speed
+/// at another position, see SpeedChange. The object refers to its arguments, which must outlive it.
 class DirectionLimits {
  public:
   DirectionLimits(const ArcShape& arc, const ArcLimits& limits, const SpeedChange& change)
@@ -25,7 +26,7 @@ class DirectionLimits {
     return at(to, Speeds::kReached, at(from, Speeds::kKnown, most));
   }
   /// Returns the greatest acceleration ≤ `most` mm/s² at a position whose speed may be the known or
-  /// the reached one. No axis exceeds its limit at either of these speeds or at speed 0.
+  /// the reached speed. No axis exceeds its limit at either of these speeds or at speed 0.
   [[nodiscard]] float at_both_speeds(const Place& place, float most) const {
     return at(place, Speeds::kBoth, most);
   }

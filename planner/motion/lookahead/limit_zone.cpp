@@ -28,8 +28,8 @@ bool binds(const LimitZone& zone, const LimitZone& own) {
 }
 
 /// Returns the time per distance that the limits of a limit zone cost, in s/mm. It is the sum of
-/// two values of 1/v: at the speed of the zone, and at the speed at which turning uses all
-/// acceleration. Overrides do not change the second speed.
+/// two values of 1/v. The first v is the speed of the zone. The second v is the speed at which
+/// turning uses all acceleration, which does not depend on overrides.
 float pace_within(const LimitZone& zone) {
   return 1.0F / std::sqrt(zone.speed_square) + std::sqrt(zone.turning.speed_ratio);
 }

@@ -12,8 +12,8 @@ class ZoneTrail {
  public:
   void clear() { count_ = 0; }
   [[nodiscard]] bool empty() const { return count_ == 0; }
-  /// Adds the limit zone of a block. To be called when the pass leaves the block, where the zone
-  /// begins.
+  /// Adds the limit zone of a block. To be called when the pass leaves the block, because the zone
+  /// begins there.
   void add(const LimitZone& zone);
   /// Moves on by `length` mm: shortens all limit zones, and removes those that have ended. Where
   /// the plan is slow, a zone ends after the length of the time window even if the plan has not

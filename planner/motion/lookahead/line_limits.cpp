@@ -22,7 +22,7 @@ LineLimits::LineLimits(const Block& block, const Limits& limits, const TimeWindo
 
 float LineLimits::reach_within(float cap_square, float reachable_square) const {
   // After leaving the block with the speed v, the plan may continue to speed up with A =
-  // `all_axes_`. In a time window T, this adds at most A T² / 12 to the distance.
+  // `all_axes_`. Over a time window T, speeding up adds at most A T² / 12 to the distance.
   const float speeding_up = all_axes_ * square(window_.seconds()) / 12.0F;
   return std::min(window_.reach(cap_square), window_.reach(reachable_square) + speeding_up);
 }

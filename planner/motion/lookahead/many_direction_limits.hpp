@@ -21,8 +21,8 @@ class ManyDirectionLimits {
                       float window_s);
 
   /// Returns an acceleration along the path, ≤ `most` mm/s², that is in the box. A bisection
-  /// searches for the greatest one. It starts from an acceleration that is possible in any
-  /// direction.
+  /// searches for the greatest such acceleration. The bisection starts from an acceleration that is
+  /// possible in any direction.
   [[nodiscard]] float steepest(float most) const;
 
  private:

@@ -16,7 +16,8 @@ class NeighbourZones {
 
   [[nodiscard]] const BlockZones& head() const { return head_; }
   [[nodiscard]] const BlockZones& tail() const { return tail_; }
-  /// Returns the limits of all limit zones together between two positions of the block.
+  /// Returns the strictest limits of all limit zones that reach into the part of the block between
+  /// two positions.
   /// @param from, to distances of these positions from the start of the block, mm
   /// @param length length of the block, mm
   [[nodiscard]] LimitZone between(float from, float to, float length) const;

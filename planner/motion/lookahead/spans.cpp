@@ -50,8 +50,8 @@ LimitZone Spans::zone(float cap_square, float reachable_square) const {
   return zone;
 }
 
-/// Returns the directions in which the limits of a span hold: those from `from` to `to` or, under a
-/// time window, all directions of the arc within the window's reach of the span.
+/// Returns the directions in which the limits of a span hold: from `from` to `to` or, under a time
+/// window, all directions of the arc within the window's reach of the span.
 DirectionRange Spans::directions_around(int span, const Place& from, const Place& to) const {
   if (arc_limits_.many_directions()) return {};
   if (arc_limits_.reach() > 0.0F) return {angle_before(span), angle_behind(span)};

@@ -14,7 +14,7 @@ namespace cnc::motion {
 /// the limits of each span. Only the limits are divided; the path stays one arc.
 ///
 /// Under a time window, the limits of a position also hold at some distance before and after it
-/// (the reach of the window). On an arc, this distance ends at the ends of the arc. In the
+/// (the reach of the window). On an arc, this distance is cut off at the ends of the arc. In the
 /// neighbouring blocks, the limits hold as limit zones. If the reach is more than 7.5° of the arc,
 /// the arc has equal spans of at most 3.75°. Then each span keeps the limits of all directions
 /// within the reach.
@@ -24,7 +24,7 @@ class Spans {
   static constexpr int kMaxSpans = ArcGrid::kMaxSpans + ZoneEdges::kMax;
 
   /// The fine grid divides each span of the usual grid into up to 16 spans, with at most
-  /// kMaxFineSpans in total. Each of them takes at least 0.7 ms. On the fine grid, the speed
+  /// kMaxFineSpans in total. Each of these spans takes at least 0.7 ms. On the fine grid, the speed
   /// follows limits that change along the arc more closely. Under a time window there is no fine
   /// grid.
   enum class Grid : std::uint8_t { kUsual, kFine };
@@ -41,7 +41,7 @@ class Spans {
   [[nodiscard]] bool fine() const { return boundaries_.grid().fine(); }
   /// Returns the limit zones of later blocks that reach into this block.
   [[nodiscard]] const BlockZones& tail() const { return zones_.tail(); }
-  /// Returns the time window in s; 0 without one.
+  /// Returns the length of the time window in s; 0 without a time window.
   [[nodiscard]] float window_s() const { return line_.window().seconds(); }
   /// Returns the distance of a boundary, 0…count(), from the start of the block, in mm.
   [[nodiscard]] float boundary(int index) const { return boundaries_.distance(index); }
@@ -51,12 +51,12 @@ class Spans {
   [[nodiscard]] float speed_limit_square(int span) const {
     return speed_limit_square(span, place_at_boundary(span), place_at_boundary(span + 1));
   }
-  /// Returns the same limit, for callers that have already computed the directions at the span's
-  /// ends.
+  /// Returns the limit of v² within a span as the function above, for callers that have already
+  /// computed the directions at the span's ends.
   /// @param from, to directions at the start and at the end of the span
   [[nodiscard]] float speed_limit_square(int span, const Place& from, const Place& to) const;
-  /// Returns the limit of v² from the limit zones of neighbouring blocks, which include their
-  /// feeds.
+  /// Returns the limit of v² from the limit zones of neighbouring blocks. It includes the feeds of
+  /// these blocks.
   [[nodiscard]] float zone_speed_square(int span) const { return zone_on(span).speed_square; }
 
   /// Returns the greatest acceleration along the path anywhere on the block, in mm/s². @pre there

@@ -16,7 +16,7 @@ struct SpeedChange {
   float cap_square = 0.0F;    ///< Greatest v² during the change.
   Travel travel = Travel::kForward;
   Change change = Change::kSpeedUp;
-  /// Distance over which v² is assumed to grow when the jerk of turning is limited, mm.
+  /// Distance, mm, over which v² is assumed to grow when the jerk limit is checked.
   float growing = 0.0F;
 };
 

@@ -9,12 +9,12 @@
 namespace cnc::motion {
 namespace {
 
-// Length of the shortest window, s. A shorter one would be below the resolution of step timing.
+// Length of the shortest window, s. A shorter window would be below the resolution of step timing.
 constexpr float kShortest = 0.25e-3F;
 constexpr float kLongest = 0.256F;  // Length of the longest window, s.
 /// Least length, in s, of a window that WindowChoice chooses. A shorter window has few cells, and
 /// so a coarse mean. If the greatest A / J of the axes (acceleration limit / jerk limit) is
-/// shorter, the window has that length instead.
+/// shorter, the least length is A / J.
 constexpr float kShortestChosen = 1.0e-3F;
 constexpr float kLongestCell = 1.0e-3F;
 constexpr float kShortestCell = 0.5e-3F;
@@ -57,9 +57,9 @@ TimeWindow divided(float wanted_s) {
           .cell_ns = static_cast<std::uint32_t>(std::ceil(seconds / cells * 1.0e9F))};
 }
 
-/// Returns the limit of acceleration or jerk along the path of a block that follows from the limits
-/// of its axes, in all directions of an arc.
-/// @param of_axes limits of the axes; 0 or less is no limit
+/// Returns the greatest acceleration or jerk along the path with which no axis exceeds its limit
+/// anywhere on a block.
+/// @param of_axes limits of acceleration or jerk of the axes; 0 or less is no limit
 float along_path(const Block& block, const AxisArray<float>& of_axes) {
   constexpr float kNoLimit = 1.0e12F;
   float most = kNoLimit;
@@ -106,8 +106,8 @@ void WindowChoice::add(const Block& block, float length, float speed_square) {
 TimeWindow WindowChoice::window(float share) const {
   const float longest = longest_rise(limits_, axes_);
   if (longest < kShortest) return {};
-  // Least length, mm, that is assumed; shorter than any step. The remaining path after a halt may
-  // be as short as a hundred-millionth of a millimetre.
+  // Least length of the chain, mm, with which the window is computed. It is shorter than any step.
+  // The remaining path after a halt may be even shorter: a hundred-millionth of a millimetre.
   constexpr float kMinLength = 1.0e-4F;
   const float by_length = bounded_cube_root(std::max(length_, kMinLength) / (2.0F * jerk_));
   const float shortest = std::min(kShortestChosen, longest);

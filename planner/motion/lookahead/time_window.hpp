@@ -29,10 +29,11 @@ struct TimeWindow {
   /// Returns the distance, in mm, to either side of a position over which the plan must keep the
   /// position's limits; 0 without a time window.
   ///
-  /// At constant speed v the distance is v · T / 2. When the plan is this far beyond the position,
-  /// one window earlier it was this far before it. So its mean, which is the motion, has just
-  /// reached the position. To T / 2, one and a half cells are added: the cell in which the motion
-  /// is assumed to have constant acceleration, and half of the cell before.
+  /// At constant speed v the distance is v · T / 2. When the plan is v · T / 2 beyond the position,
+  /// the window covers the plan from v · T / 2 before the position on. So the motion, which is the
+  /// mean of the plan over the window, is just at the position. To T / 2, one and a half cells are
+  /// added: the cell in which the motion is assumed to have constant acceleration, and half of the
+  /// cell before.
   /// @param speed_square greatest v² over that distance
   [[nodiscard]] float reach(float speed_square) const {
     if (!filters()) return 0.0F;
@@ -45,29 +46,31 @@ struct TimeWindow {
 [[nodiscard]] std::uint8_t moving_axes(const Block& block);
 
 /// Returns the window that the axes in the bit set `axes` require: the greatest A / J of
-/// acceleration limit A and jerk limit J. The window is at most 256 ms; if A / J is longer, less
-/// acceleration than $12x is used. There is no window if A / J is below 0.25 ms.
+/// acceleration limit A and jerk limit J. The window is at most 256 ms. If A / J is longer, the
+/// plan uses less acceleration than the settings $12x allow. There is no window if A / J is below
+/// 0.25 ms.
 [[nodiscard]] TimeWindow window_for(const Limits& limits, std::uint8_t axes);
 
 /// Chooses the time window for a chain of blocks from rest to rest.
 ///
 /// If a plan does not reach full acceleration, a shorter window T, with an acceleration of at most
 /// J T, makes a faster motion. Here J is the jerk limit. Speeding up to v takes the time v / (J T)
-/// and the window T. Their sum is least if both are equal: T = √(v / J). For a motion over a
-/// distance d from rest to rest, they are equal if 2 J T³ = d. So the window is the least of A / J,
-/// √(v / J) and ∛(d / 2J) (Biagiotti and Melchiorri, Trajectory Planning for Automatic Machines and
-/// Robots, 2008, section 3.4: the cases in which the greatest acceleration is not reached).
+/// and the window T. The sum of both times is least if they are equal: T = √(v / J). For a motion
+/// over a distance d from rest to rest, both times are equal if 2 J T³ = d. So the window is the
+/// least of A / J, √(v / J) and ∛(d / 2J) (Biagiotti and Melchiorri, Trajectory Planning for
+/// Automatic Machines and Robots, 2008, section 3.4: the cases in which the greatest acceleration
+/// is not reached).
 ///
-/// This applies to a single move. In a chain of unlike blocks, slow blocks slow down their
-/// neighbours for the length of the window. So a share of the window may make the motion quicker.
-/// The caller finds this share by planning the chain with several windows.
+/// This window is best for a single move. In a chain of unlike blocks, slow blocks also slow down
+/// their neighbours for the length of the window. So a shorter window, a share of it, may make the
+/// motion quicker. The caller finds the best share by planning the chain with several windows.
 class WindowChoice {
  public:
   explicit WindowChoice(const Limits& limits) : limits_{limits} {}
 
   /// Adds a block, or the part of a block that is left, to the chain.
   /// @param length length of this part, mm
-  /// @param speed_square greatest v² on it
+  /// @param speed_square greatest v² on this part
   void add(const Block& block, float length, float speed_square);
   /// Returns the time window of the chain.
   /// @param share length of the window as a share of the window for a single move, at most 1
@@ -83,8 +86,8 @@ class WindowChoice {
 };
 
 /// Returns the acceleration of an axis, in mm/s², that the plan may use under a time window T.
-/// Cells begin and end at whole path units. So the jerk may be wrong by up to four units / (T ·
-/// cell²), and the returned acceleration is lower to compensate for this.
+/// Cells begin and end at whole path units. So the jerk may be too great by up to four units / (T ·
+/// c²), where c is the duration of a cell. The returned acceleration is lower by this jerk times T.
 [[nodiscard]] inline float planned_acceleration(const Limits& limits,
                                                 std::size_t axis,
                                                 const TimeWindow& window) {

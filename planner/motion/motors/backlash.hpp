@@ -9,9 +9,9 @@ namespace cnc::motion {
 
 /// The play of an axis, and the limits for taking it up.
 ///
-/// The motion that takes up the play is added to the planned motion. So the planner does not use
-/// these shares of the axis's limits (see `limits_from`). The play is small, so a low speed is
-/// enough.
+/// The motion that takes up the play is added to the planned motion. So kRateShare and
+/// kAccelerationShare of the axis's limits are reserved for taking up the play, and the planner
+/// uses only the rest (see `limits_from`). The play is small, so a low speed is enough.
 struct BacklashSetting {
   static constexpr float kRateShare = 0.05F;
   static constexpr float kAccelerationShare = 0.2F;  ///< Share of the acceleration and of the jerk.
@@ -22,7 +22,7 @@ struct BacklashSetting {
   float acceleration = 1.0F;  ///< Greatest acceleration while the play is taken up, steps/s².
   /// Greatest jerk while the play is taken up, steps/s³; 0 is no limit.
   float jerk = 0.0F;
-  /// At power-up, the play is assumed to be taken up for motion towards plus.
+  /// True if the play is assumed to be taken up for motion towards plus at power-up.
   bool starts_towards_plus = true;
   constexpr bool operator==(const BacklashSetting&) const = default;
 };
@@ -33,11 +33,12 @@ struct BacklashSetting {
 /// tool follows. When the tool reverses, the offset of the motor moves from one end of the play to
 /// the other while the tool continues to move. The offset follows the quintic 10 x³ − 15 x⁴ + 6 x⁵
 /// (Flash and Hogan 1985, minimum jerk), which has no speed and no acceleration at its ends. Its
-/// first three derivatives are at most 1.875, 10/√3 and 60. Until the offset has reached its end,
-/// the tool lags by at most the play.
+/// first three derivatives are at most 1.875, 10/√3 and 60. Until the offset has reached the end of
+/// the play, the tool lags by at most the play.
 ///
 /// A reversal counts when the tool has moved back by a sixteenth of a step. If the tool reverses
-/// while the offset still moves, the reversal waits until the offset has reached its end.
+/// while the offset still moves, the reversal waits until the offset has reached the end of the
+/// play.
 class Backlash {
  public:
   /// Sets the play, and the offset to zero: from now on the motor's counter equals the tool's
@@ -46,15 +47,17 @@ class Backlash {
   void configure(const BacklashSetting& setting);
   [[nodiscard]] bool active() const { return setting_.steps > 0; }
 
-  /// Returns the motor's offset in Q32 steps after the tool has moved to `tool` in `seconds`.
+  /// Returns the motor's offset in Q32 steps after the tool has moved to `tool` within `seconds` s.
   [[nodiscard]] std::int64_t follow(StepPosition tool, float seconds);
-  /// Returns whether the offset has reached the end that the direction of the tool requires.
+  /// Returns whether the offset has reached the end of the play that the direction of the tool
+  /// requires.
   [[nodiscard]] bool settled() const { return from_ == to_; }
 
   /// Sets the state at rest, with the motor's counter ahead of the tool by `offset` steps.
   /// @pre 0 ≤ offset − (offset of a tool that moves towards minus) ≤ play
   void stand(StepPosition tool, std::int32_t offset);
-  /// Restores the state that configure() makes, on the same side of the play.
+  /// Sets the offset to zero, as configure() does. The setting and the last direction of the tool
+  /// stay unchanged.
   void rebase() { configure(setting_); }
 
   /// Returns the offset of the motor, in steps, for a tool that continues in its last direction.

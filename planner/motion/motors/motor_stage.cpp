@@ -111,8 +111,8 @@ void MotorStage::close_cell() {
 }
 
 /// Computes the motion of a motor in the cell that is being output. The start speed is limited so
-/// that the motor does not reverse within the cell, and so that it can run at the speed at the end
-/// of the cell.
+/// that the motor does not reverse within the cell, and so that the speed at the end of the cell
+/// does not exceed the greatest speed of the motor.
 void MotorStage::lay_course(std::size_t axis, StepPosition tool) {
   Course& course = courses_[axis];
   const float before = course.way;

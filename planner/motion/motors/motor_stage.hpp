@@ -17,8 +17,8 @@ struct MotorStageSetting {
   AxisArray<ShaperSetting> shapers{};
   AxisArray<BacklashSetting> backlash{};
   AxisArray<float> max_steps_per_s{};  ///< Greatest step rate of each motor.
-  /// Whether the output is off at rest: true for a beam, false for a spindle, which turns before
-  /// and after a motion.
+  /// True if the output is off at rest, as for a beam. False for a spindle, which turns before and
+  /// after a motion.
   bool dark_at_rest = false;
   constexpr bool operator==(const MotorStageSetting&) const = default;
 };
@@ -28,7 +28,7 @@ struct ShapedCell {
   const AxisArray<StepPosition>& planned;  ///< Planned positions at the end of the newest cell.
   /// Shaped positions at the end of the cell that is being output.
   const AxisArray<StepPosition>& shaped;
-  /// Number of cells before and after that cell that contribute to `shaped`.
+  /// Total number of cells before and after the output cell that contribute to `shaped`.
   std::uint32_t reach;
   std::uint32_t duration_ns;
 };
@@ -50,8 +50,8 @@ class ShapingObserver {
 /// parabola over time from position to position. The start speed of the parabola is the mean of the
 /// mean speeds of this cell and the cell before.
 ///
-/// The owner that begins a motion keeps the stage until the motion has come to rest. Main loop
-/// only.
+/// The first slice of a motion sets the owner of the motion. Only this owner may add slices until
+/// the motion has come to rest. Main loop only.
 class MotorStage {
  public:
   using Places = AxisArray<StepPosition>;
@@ -80,7 +80,8 @@ class MotorStage {
 
   /// Returns the time in ns that is missing until the present cell is full.
   [[nodiscard]] std::uint32_t room_ns() const { return cell_ns() - used_ns_; }
-  /// Adds a slice of the plan for `owner`.
+  /// Adds a slice of the plan.
+  /// @param owner identifies the source of the slices, a segmenter
   /// @pre the duration of the slice is at most room_ns(); at_rest(), or `owner` is owner()
   void add(const PlannedSlice& slice, const void* owner);
   /// Fills the rest of the present cell with a plan at rest.
@@ -114,7 +115,7 @@ class MotorStage {
     StepPosition from{};
     StepPosition to{};
     float way = 0.0F;   ///< Steps that the motor makes in the cell.
-    float lead = 0.0F;  ///< Steps that the motor would make in the cell at its start speed.
+    float lead = 0.0F;  ///< Steps that the motor would make at its start speed.
   };
 
   [[nodiscard]] std::uint32_t cell_ns() const;

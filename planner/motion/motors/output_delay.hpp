@@ -28,12 +28,13 @@ struct OutputPiece {
 /// Pieces of a cell are joined to one piece with the same energy in two cases. In the first case,
 /// the pieces are so short that the queue of segments would run empty. In the second case, the
 /// queue of pieces is full. Then output changes move to the start of the joined piece, too. (Both
-/// cases require a long row of blocks of a few µm at full speed under M4.)
+/// cases occur only in a long row of blocks of a few µm that are driven at full speed under M4.)
 class OutputDelay {
  public:
   static constexpr std::size_t kMaxPieces = 384;
 
-  /// @param cells_held number of cells between planning and output, at most kMaxPlaces
+  /// Forgets all pieces.
+  /// @param cells_held number of cells between planning and output, at most ShaperGrid::kMaxPlaces
   void clear(std::uint32_t cells_held);
 
   /// Adds the output of a slice, up to `end_tick` of the cell that is being filled.

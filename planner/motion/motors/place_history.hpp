@@ -22,10 +22,11 @@ class PlaceHistory {
     ring_[newest_] = places;
   }
 
-  /// Returns the weighted mean of an axis's positions, to 2^-16 step. The mean is exact if all
-  /// positions that have a weight are equal.
-  /// @pre These positions are less than 2^17 steps from the newest one. At 200,000 steps/s, a motor
-  /// moves a quarter of this distance within 150 ms, the longest reach of ShaperGrid.
+  /// Returns the weighted mean of an axis's positions, with a resolution of 2^-16 step. The mean is
+  /// exact if all positions that have a weight are equal.
+  /// @pre The positions that have a weight are less than 2^17 steps from the newest position. At
+  /// 200,000 steps/s, a motor moves a quarter of this distance within 150 ms, the longest reach of
+  /// ShaperGrid.
   [[nodiscard]] StepPosition mean(std::size_t axis, const ShaperTaps& taps) const {
     const std::int64_t newest_q32 = ring_[newest_][axis].q32();
     std::int64_t sum_q46 = 0;

@@ -24,7 +24,8 @@ TimeReach reach_of(const ShaperImpulses& impulses) {
 
 std::uint32_t cell_ticks_for(const AxisArray<ShaperSetting>& settings, const TimeReach& reach) {
   constexpr float kCellsPerPeriod = 24.0F;
-  // Each end of the range may be between two cells, so that both cells are needed.
+  // Four positions are reserved, because each end of the range may be between two cells and then
+  // requires both cells.
   constexpr auto kCells = static_cast<float>(ShaperGrid::kMaxPlaces - 4);
   float cell = ShaperGrid::kLongestCell;
   for (const ShaperSetting& setting : settings) {

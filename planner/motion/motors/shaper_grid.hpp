@@ -46,8 +46,8 @@ struct ShaperGrid {
 
 /// Returns the grid for the shapers of all axes. A cell lasts a 24th of the shortest period, so
 /// that sharing impulses between cells leaves at most 1 % of a swing. But a cell lasts at most
-/// kLongestCell and at least kShortestCell. It is longer if more than kMaxPlaces positions were
-/// necessary otherwise, as with 10 Hz and 200 Hz together.
+/// kLongestCell and at least kShortestCell. If shapers for very different frequencies would then
+/// require more than kMaxPlaces positions, as for 10 Hz and 200 Hz, the cell is longer.
 [[nodiscard]] ShaperGrid grid_of(const AxisArray<ShaperSetting>& settings);
 
 }  // namespace cnc::motion

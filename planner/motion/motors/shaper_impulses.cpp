@@ -7,8 +7,8 @@
 namespace cnc::motion {
 namespace {
 
-/// Residual swing of the EI shaper at its frequency, as a share. With this residual, the swing at
-/// nearby frequencies is not greater either.
+/// Residual swing of the EI shaper at its frequency, as a share. If this residual is accepted, the
+/// residual swing at nearby frequencies does not exceed it either.
 constexpr float kTolerance = 0.05F;
 constexpr float kHalfSqrt2 = 0.70710678F;
 

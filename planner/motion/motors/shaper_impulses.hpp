@@ -24,8 +24,8 @@ struct ShaperSetting {
 /// Impulses of a shaper. The shaped position is Σ amplitude · position(t − delay).
 ///
 /// Amplitudes are above 0 and their sum is 1, so a shaped position is a mean of earlier positions.
-/// So no derivative of the shaped motion exceeds the greatest one of the original motion. The
-/// shaped motion comes to rest where the original motion does.
+/// So the speed, the acceleration and any further derivative of the shaped motion never exceed
+/// their greatest values in the original motion. Both motions come to rest at the same position.
 struct ShaperImpulses {
   static constexpr std::size_t kMax = 3;
 
@@ -44,7 +44,7 @@ struct ShaperImpulses {
 /// | kind | amplitudes before scaling | delays | residual swing at f, source |
 /// |---|---|---|---|
 /// | ZV | 1, K | 0, T/2 | none; Singer and Seering 1990 |
-/// | ZVD | 1, 2 K, K² | 0, T/2, T | none, and level there; Singer and Seering 1990 |
+/// | ZVD | 1, 2 K, K² | 0, T/2, T | none, also with slope 0 over f; Singer and Seering 1990 |
 /// | MZV | a, (√2 − 1) k, a k² | 0, 3T/8, 3T/4 | none; a = 1 − 1/√2, k = K^(3/4) |
 /// | EI | 1 + V, 2 (1 − V) K, (1 + V) K² | 0, T/2, T | V = 5 %; Singhose and others 1994 |
 ///

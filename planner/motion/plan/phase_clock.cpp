@@ -19,8 +19,8 @@ std::uint64_t PhaseClock::begin(float seconds, bool keeps_up) {
   }
   const float exact_ns = seconds * kNanosecondsPerSecond;
   duration_ns_ = std::max(1.0F, std::ceil(exact_ns - start_late_ns_));
-  // After many phases of less than a nanosecond, the delay could become too long for the next
-  // phases to compensate. So it is limited.
+  // After many phases of less than a nanosecond, the delay could become longer than the next phases
+  // can compensate. So the delay is limited.
   constexpr float kMaxLateNs = 16.0F;
   end_late_ns_ = std::clamp(start_late_ns_ + (duration_ns_ - exact_ns), 0.0F, kMaxLateNs);
   return static_cast<std::uint64_t>(truncated(duration_ns_));

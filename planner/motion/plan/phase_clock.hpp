@@ -6,14 +6,14 @@
 
 namespace cnc::motion {
 
-/// Rounds the durations of phases to whole nanoseconds, and computes the delay that this rounding
-/// causes in the motion.
+/// Rounds the durations of phases up to whole nanoseconds, and computes the delay that this
+/// rounding causes in the motion.
 ///
 /// At 500 mm/s, a delay of a nanosecond removes 0.5 nm of distance from one cell of the time
 /// window. Jerk is computed from third differences of the distances of cells. At an acceleration of
 /// 500 mm/s² and with cells of 0.5 ms, 0.5 nm would be 0.4 % of such a difference. So under a time
-/// window, each phase is shortened by the rounding of the phase before it. A caller that evaluates
-/// a position adds the distance that corresponds to late_ns().
+/// window, each phase is shortened by the delay that the phases before it have left. A caller that
+/// evaluates a position adds the distance that the motion drives in late_ns().
 class PhaseClock {
  public:
   /// Begins the next phase. Returns its duration in ns, ≥ 1. The duration is rounded up, so that no

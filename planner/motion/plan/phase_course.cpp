@@ -15,8 +15,8 @@ constexpr std::uint64_t kOneQ63 = std::uint64_t{1} << 63;
 /// Greatest number of ticks for which the reciprocal has a relative error of at most 2^-30.
 constexpr std::uint64_t kMaxTicks = std::uint64_t{1} << 33;
 
-/// Number of additional bits of the reciprocal with Grain::kFine. Its relative error is then at
-/// most 2^-47, for up to 18 minutes in ticks of a nanosecond.
+/// Number of additional bits of the reciprocal with Grain::kFine. For durations up to 18 minutes,
+/// which are in ticks of a nanosecond, the relative error of the reciprocal is then at most 2^-47.
 constexpr unsigned kRestBits = 24;
 constexpr std::uint64_t kMaxFineTicks = std::uint64_t{1} << (64U - kRestBits);
 

@@ -26,13 +26,13 @@ inline constexpr float kNanosecondsPerSecond = 1.0e9F;
 /// With x = time / duration and α = 2 · start speed / (start speed + end speed), the distance at
 /// that time is whole distance · x (α + (1 − α) x). The distance is computed in fixed point, so
 /// that it is as exact at the end of an hour as at its start. It never decreases, and is exact at
-/// both ends. It deviates from a smooth curve by at most 2^-32 of the whole distance or, with
-/// Grain::kFine, by two units.
+/// both ends. Its error is at most 2^-32 of the whole distance or, with Grain::kFine, two path
+/// units.
 class PhaseCourse {
  public:
-  /// Resolution of the distance; kFine is for use under a time window. Jerk is the third difference
-  /// of distances over cells of a millisecond. In a phase of ten seconds, an error of 2^-32 of the
-  /// distance is visible in this difference.
+  /// Resolution of the distance. Under a time window, kFine is used, because jerk is computed from
+  /// third differences of positions at intervals of a millisecond (a cell). In a phase of ten
+  /// seconds, an error of 2^-32 of the distance would be visible in these differences.
   enum class Grain : std::uint8_t { kUsual, kFine };
 
   PhaseCourse() = default;
@@ -76,7 +76,7 @@ class PhaseCourse {
   /// at their end.
   std::uint64_t per_tick_q63_ = 0;
   std::uint64_t start_slope_q30_ = 0;  ///< α in Q30, 0…2.
-  /// With kFine, the next digits after those of per_tick_q63_.
+  /// With kFine, the next 24 binary digits of the reciprocal after those of per_tick_q63_.
   std::uint64_t rest_q24_ = 0;
   /// Number of bits by which times in ns are shifted to ticks; set together with per_tick_q63_.
   unsigned shift_ = 0;

@@ -6,8 +6,9 @@
 namespace cnc::motion {
 namespace {
 
-/// Returns the acceleration of a phase whose duration was rounded up. The acceleration is reduced
-/// in the ratio in which the duration grows, so that the speeds at both ends stay equal.
+/// Returns the acceleration of a phase whose duration was rounded up to `duration_ns`. It is
+/// reduced in the ratio in which the duration grows, so that the speeds at both ends stay
+/// unchanged.
 float acceleration_of(const Phase& phase, std::uint64_t duration_ns) {
   const float duration = nearest_float(duration_ns) * kSecondsPerNanosecond;
   return phase.acceleration * std::min(1.0F, phase.duration / duration);
@@ -81,9 +82,10 @@ void PlanCursor::end_phase() {
 }
 
 /// Returns the distance of a stretch as if the durations of phases were not rounded up to whole
-/// nanoseconds. Adds lead_, the distance that corresponds to the delay by rounding, but never leads
-/// beyond a stop. A cell of the window may end exactly where a phase ends, so the lead may reach
-/// into the next phase.
+/// nanoseconds. Updates lead_, the distance that the motion drives in the delay that this rounding
+/// causes, and adds the change of lead_ to the distance. The lead may reach into the next phase,
+/// because a cell of the window may end exactly where a phase ends. The lead never reaches beyond a
+/// stop.
 /// @param way distance of the stretch with the rounded durations
 PathUnits PlanCursor::way_in_time(PathUnits way) {
   const float late_mm = speed_ * clock_.late_ns(elapsed_ns_) * kSecondsPerNanosecond;
@@ -118,21 +120,21 @@ void PlanCursor::note_change(const Stretch& stretch) {
   pass(since_braking_ns_, stretch.acceleration < 0.0F);
 }
 
-/// Ends a block whose last phase was cut, and returns a stretch of 1 ns for the distance that is
-/// left. Rounding may have reduced this distance to zero.
+/// Ends a block whose last phase was ended early at the end of the block. Returns a stretch of 1 ns
+/// for the distance that rounding may have left to the end of the block.
 Stretch PlanCursor::finish_block() {
   end_block();
   return {.way = length_ - place_, .duration_ns = 1, .start_speed = speed_, .end_speed = speed_};
 }
 
-/// Begins the next phase. Returns false if the plan is at rest and stays so.
+/// Begins the next phase. Returns false if the plan is at rest and stays at rest.
 bool PlanCursor::begin_phase(Drive drive) {
   if (!driving_) {
     if (index_ == queue_.size()) return false;
     begin_block();
   }
   // Until the braking after a lower override has ended, the motion may be faster than the plan and
-  // than the override allows.
+  // faster than the override allows.
   overtaken_ = overtaken_ && (since_braking_ns_ == 0 || profile_.too_fast(patience()));
   phase_ = profile_.next_phase(drive, patience());
   phase_drive_ = drive;
@@ -154,8 +156,8 @@ bool PlanCursor::begin_phase(Drive drive) {
 
 /// Returns the position on the block where the phase ends. It is computed from the nearer end of
 /// the block, so that the rounding error of a long block never falls on a short phase at one of its
-/// ends. But if settle_place() corrects rounding errors later, the position is computed from the
-/// distance of the phase.
+/// ends. But if settle_place() will correct rounding errors after the phase, the position is
+/// computed from the distance of the phase.
 PathUnits PlanCursor::place_after(const Phase& phase) const {
   const float left = profile_.left_of_block(phase);
   if (left <= 0.0F) return length_;

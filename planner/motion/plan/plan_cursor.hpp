@@ -13,8 +13,8 @@ namespace cnc::motion {
 /// that keep the limits of speed and acceleration.
 ///
 /// The object that drives the motors removes blocks from the queue, possibly some time after the
-/// plan has left them. It calls block_left() before each removal. A change of the plan, an override
-/// or a hold takes effect with the next stretch.
+/// plan has left them. It calls block_left() before each removal. Added blocks, an override or a
+/// feed hold take effect with the next stretch.
 ///
 /// Main loop only.
 class PlanCursor {
@@ -99,7 +99,7 @@ class PlanCursor {
   std::uint32_t followed_ = 0;
   bool replan_ = false;
 
-  // The block in which the plan is or, between two blocks, the next one.
+  // The block in which the plan is or, between two blocks, the next block.
   std::size_t index_ = 0;      ///< Index of the block in the queue.
   bool driving_ = false;       ///< True if the plan has begun the block.
   PathUnits length_ = 0;       ///< Length of the block.

@@ -15,8 +15,8 @@ constexpr std::uint64_t kBetweenTriesNs = 20'000'000;
 
 }  // namespace
 
-/// Returns the index after the chain of blocks that begins with the present block and has no rest
-/// within it. It is the index of the next block that begins from rest, or the size of the queue.
+/// Returns the end of the chain, the blocks from the present block to the next stop. It is the
+/// index of the next block that begins from rest, or the size of the queue.
 std::size_t PlanCursor::chain_end() const {
   std::size_t end = index_ + 1;
   while (end < queue_.size() && !queue_.at(end).from_rest) ++end;
@@ -117,15 +117,16 @@ void PlanCursor::set_overrides(const Overrides& overrides) {
   if (!terms_.window.filters() && !same_pace(overrides, terms_.overrides)) take_up_overrides();
 }
 
-/// Replaces the terms of the plan (overrides and window), and marks all blocks as unplanned.
+/// Replaces the conditions of the plan (overrides and time window), and marks all blocks as
+/// unplanned.
 void PlanCursor::plan_for(const PlanTerms& terms) {
   terms_ = terms;
   queue_.forget_plan();
   replan_ = true;
 }
 
-/// Makes the requested overrides those of the plan. @pre at rest, or without a time window, so that
-/// no limits of a block reach into other blocks
+/// Applies the requested overrides to the plan. @pre at rest, or without a time window, so that no
+/// limits of a block reach into other blocks
 void PlanCursor::take_up_overrides() {
   plan_for({.overrides = overrides_, .greatest = overrides_, .window = terms_.window});
 }
@@ -144,16 +145,16 @@ void PlanCursor::stop_phase_short() {
   settle_place();
 }
 
-/// Corrects the distance that the profile has left, at the end of a phase. The profile adds up
-/// distances in single precision, so each phase adds a rounding error. If all errors were corrected
-/// in one later phase, the speed would jump there.
+/// Corrects the profile's distance to the end of the block after a phase. The profile adds up
+/// distances in single precision, so each phase adds a rounding error. If the errors of many phases
+/// were corrected in one later phase, the speed would jump there.
 void PlanCursor::settle_place() {
   if (terms_.window.filters()) profile_.settle(to_mm(length_ - place_));
 }
 
-/// Returns whether the plan continues without rest into the next block, which was planned before.
-/// The caller then begins this block before it changes the plan, so that the change is checked at
-/// the position of the motion.
+/// Returns whether the plan is at the end of a block and continues without rest into the next one.
+/// The caller then begins the next block before it changes the plan, so that the change is checked
+/// at the present position and speed.
 bool PlanCursor::goes_on() const {
   return !driving_ && index_ < queue_.size() && !queue_.at(index_).from_rest;
 }
@@ -190,10 +191,10 @@ void PlanCursor::bring_up_to_date(Drive drive) {
 }
 
 /// Applies lower overrides immediately: if the motion is too fast for them, it slows down. There is
-/// one exception. Where too many limit zones of later blocks reach into a block, some are merged,
-/// and the overrides decide which. A merged zone may reach farther than the zones under the old
-/// overrides. If the speed is too high for turning within this zone, no acceleration is left for
-/// braking. Then the lower overrides are postponed.
+/// one exception. Where too many limit zones of later blocks reach into a block, some of these
+/// zones are merged. The overrides determine which zones are merged. A merged zone may reach
+/// farther than the zones under the old overrides. If the speed is too high for turning within this
+/// zone, no acceleration is left for braking. Then the lower overrides are postponed.
 void PlanCursor::lower_pace(std::uint64_t passed_ns, Drive drive) {
   postponed_ns_ -= std::min(postponed_ns_, passed_ns);
   PlanTerms lower = terms_;
@@ -239,8 +240,8 @@ void PlanCursor::replan() {
 }
 
 /// Refuses blocks that arrived so late that the plan is already too fast for the limits that they
-/// impose on earlier blocks. The plan can always stop before these blocks, because it was made
-/// without them.
+/// impose on earlier blocks. The plan can always stop before the late blocks, because the present
+/// speed was planned without them.
 void PlanCursor::refuse_late_blocks() {
   if (!queue_.has_newest_behind(index_)) return;
   queue_.stop_before_newest();

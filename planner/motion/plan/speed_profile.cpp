@@ -13,8 +13,9 @@ namespace {
 /// size has at most four exact digits, and so has the acceleration that is computed from it.
 constexpr float kMinGain = 1.0e-4F;
 
-/// Greatest ratios that rounding explains: v² to the cap or the braking curve, and the required
-/// drop of v² to the planned drop. If a ratio is greater, an override has lowered the plan.
+/// Greatest ratios that rounding explains: of v² to the cap or to the braking curve, and of the
+/// required drop of v² to the planned drop. If a ratio is greater, an override has lowered the
+/// plan.
 constexpr float kAbovePlan = 1.0F + 1.0e-4F;
 constexpr float kSteeperThanPlan = 1.0F + 5.0e-4F;
 
@@ -40,8 +41,8 @@ void SpeedProfile::begin(const Block& block,
                          float speed_square) {
   speed_square_ = speed_square;
   lay_out(block, limits, terms, exit, block.length, grid_for(block, terms, exit));
-  // A speed that was planned on the usual grid may slightly exceed the braking curve of the fine
-  // grid. Then the block has the usual grid.
+  // The start speed was planned on the usual grid. If it slightly exceeds the cap or the braking
+  // curve of the fine grid, the block is laid out on the usual grid instead.
   const float curve = end_target_square() + 2.0F * here().deceleration * left_;
   if (!spans_.fine() || speed_square_ <= std::min(curve, here().cap_square)) return;
   lay_out(block, limits, terms, exit, block.length, Spans::Grid::kUsual);
@@ -200,8 +201,8 @@ Phase SpeedProfile::speed_up() const {
   const float peak = std::clamp(speed_square_ + gain, speed_square_, cap);
   if (peak <= speed_square_) return {};
   // Distances of braking (`fall`) and of speeding up (`rise`). Each is computed from a small
-  // difference of large v², so the one with the greater acceleration has the smaller error. If this
-  // is braking, its distance limits the distance of speeding up.
+  // difference of large v², so the distance with the greater acceleration has the smaller error. If
+  // this distance is `fall`, it limits `rise`.
   const float fall = fall_from(peak);
   float rise = (peak - speed_square_) / (2.0F * acceleration);
   const bool steeper_fall = acceleration < here().deceleration;
@@ -279,8 +280,8 @@ Phase SpeedProfile::level_for(float seconds) const {
 /// the present position, the motion can, too. (The limits at a position within a span may be
 /// stricter than those at the span's ends, by the margin of ArcLimits.) The plan does not allow a
 /// speed above the curve. Under a time window it does not allow a speed above the cap either,
-/// because turning leaves less acceleration there. A speed that is not allowed follows from an
-/// override that has lowered the plan.
+/// because turning leaves less acceleration there. A speed that the plan does not allow is caused
+/// by an override that has lowered the plan.
 float SpeedProfile::planned_deceleration() const {
   const float planned = here().deceleration;
   const bool beyond_cap = speed_square_ > here().cap_square * kAbovePlan;
@@ -294,10 +295,10 @@ float SpeedProfile::planned_deceleration() const {
 /// the span ends.
 Phase SpeedProfile::brake_to(float target_square, const Patience& patience) const {
   if (patience.before_braking > 0.0F) return level_for(patience.before_braking);
-  // If an override has made the speed too high, braking uses the limits in full. Otherwise it
-  // leaves a part of the limits to the motion, which is a mean of the plan over time and so is
-  // faster than the plan while the plan brakes. After an override, the motion may also be faster
-  // than the lowered cap.
+  // If an override has made the speed too high, braking uses the limits in full. Otherwise braking
+  // leaves a part of the limits unused, because the motion, a mean of the plan over time, is faster
+  // than the plan while the plan brakes. After an override, the motion may also be faster than the
+  // lowered cap.
   const float growing = patience.overtaken ? 0.0F : left_;
   float cap = std::max(here().cap_square, speed_square_);
   if (patience.overtaken) cap = std::max(cap, square(patience.braking_from));

@@ -15,20 +15,21 @@ struct Phase {
   float duration = 0.0F;      ///< Duration, s; 0 means that the machine is at rest.
   float distance = 0.0F;      ///< Distance along the path, mm.
   float end_speed_square = 0.0F;
-  /// Distance from the end of the phase to the end of its last span, mm; 0 if that span ends, too.
+  /// Distance from the end of the phase to the end of its last span, mm; 0 if both end together.
   float left = 0.0F;
-  int passes = 0;  ///< Number of spans that end within the phase, without its last span.
+  int passes = 0;  ///< Number of spans that end within the phase before its last span.
 };
 
-/// State that limits a change of speed where jerk is limited. The first two fields are times in s
-/// for which the speed must stay level before it may rise or fall. At rest both times are 0.
+/// State that limits a change of speed where jerk is limited. The first two fields are the times in
+/// s for which the speed must still stay level before it may rise, or fall. At rest both times are
+/// 0.
 struct Patience {
   float before_speeding_up = 0.0F;
   float before_braking = 0.0F;
   /// Speed of the plan in mm/s when it last did not brake. The motion may still have this speed.
   float braking_from = 0.0F;
   /// True if an override has lowered the speed limits so far that braking after `before_braking` is
-  /// too late to keep them. All limits except those of speed are still kept, because the plan
+  /// too late to keep them. All limits of acceleration and jerk are still kept, because the plan
   /// before the override kept them.
   bool overtaken = false;
 };
@@ -40,14 +41,17 @@ enum class Drive : std::uint8_t {
 
 /// Speed along the block that is being driven, as phases of constant acceleration.
 ///
-/// This is the forward pass of the look-ahead. Within a span, the speed rises until it reaches the
-/// greatest speed of the span (the cap) or the braking curve. It keeps the cap, and then follows
-/// the braking curve. Under a time window T, the speed stops rising early enough to be level for T
-/// before braking. Each phase is computed from the present state when it is required. So after an
-/// override, a hold or added blocks, the caller just requests the next phase.
+/// The profile is the forward pass of the look-ahead. Within a span, the speed rises until it
+/// reaches the greatest speed of the span (the cap) or the braking curve. The speed stays at the
+/// cap, and then follows the braking curve. Under a time window T, the speed stops rising early
+/// enough to be level for T before braking. Each phase is computed from the present state when it
+/// is required. So after an override, a hold or added blocks, the caller just requests the next
+/// phase.
 class SpeedProfile {
  public:
-  /// Starts at the beginning of a block, with the given v².
+  /// Starts the profile at the start of a block.
+  /// @param exit state that must be reached at the end of the block
+  /// @param speed_square v² at the start of the block
   void begin(const Block& block,
              const Limits& limits,
              const PlanTerms& terms,
@@ -70,8 +74,8 @@ class SpeedProfile {
   /// contain.
   [[nodiscard]] bool within_other_zones(const BlockZones& before) const;
   /// Returns whether there is a limit zone of a later block in which turning at the present speed
-  /// uses all acceleration. Ignores a zone if `before` contains one that is at least as long and at
-  /// least as strict for turning.
+  /// uses all acceleration. Ignores a zone if `before` contains a zone that is at least as long and
+  /// at least as strict for turning.
   [[nodiscard]] bool too_fast_to_turn(const BlockZones& before) const;
   /// Returns the limit zones of later blocks that the profile includes.
   [[nodiscard]] const BlockZones& tail() const { return spans_.tail(); }
@@ -86,7 +90,7 @@ class SpeedProfile {
     move(phase.left, phase.end_speed_square);
   }
   /// Moves to the position `distance` mm before the end of `phase`, which was driven only up to
-  /// there.
+  /// this position.
   /// @param speed speed at that position, mm/s
   void stop_short(const Phase& phase, float distance, float speed);
   /// Corrects the distance to the end of the block, in mm. `left_of_block` is more exact than the
@@ -142,8 +146,8 @@ class SpeedProfile {
   BrakingState exit_{};
   float speed_square_ = 0.0F;
   /// Distance to the end of the present span, mm. It is measured from the end of the span, because
-  /// braking ends there and requires exact digits. A distance from the start would have fewer
-  /// digits there.
+  /// braking ends there and requires exact digits. Near the end, a distance from the start would
+  /// have fewer digits.
   float left_ = 0.0F;
   int span_ = 0;
 };

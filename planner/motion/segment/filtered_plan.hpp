@@ -15,8 +15,8 @@ class FilteredPlan {
  public:
   FilteredPlan(BlockQueue& queue, const Limits& limits) : plan_{queue, limits} {}
 
-  /// Returns the next stretch of the motion, at most `max_ns` long. It has no duration if there is
-  /// no motion: everything is driven, or the motion is halted.
+  /// Returns the next stretch of the motion, at most `max_ns` long. Its duration is 0 if there is
+  /// no motion: all blocks are driven, or the motion is halted.
   /// @pre max_ns is at least the duration of a cell of the filter, see MotionFilter
   [[nodiscard]] Stretch next(std::uint32_t max_ns);
   /// Forgets the plan and the window. The motors must be at rest. A halt stays in effect.

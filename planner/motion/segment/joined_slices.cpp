@@ -19,8 +19,8 @@ bool has_steps(const Segment& segment) {
 }  // namespace
 
 void JoinedSlices::time(const AxisArray<StepPosition>& to, Segment& segment) {
-  // Rounding of a stretch can make a segment without duration. A step of such a segment is due
-  // immediately.
+  // Rounding of a stretch can make a segment without duration. The steps of such a segment are due
+  // at its start.
   const float ticks = static_cast<float>(std::max<std::uint32_t>(1, duration_ns_)) * kTicksPerNs;
   const float shift = static_cast<float>(remainder_ns_) * kTicksPerNs;
   for (std::size_t axis = 0; axis < kAxisCount; ++axis) {

@@ -9,9 +9,9 @@
 namespace cnc::motion {
 
 /// Slices of the plan that are joined to one segment. Holds the positions and speeds of the motors
-/// at the start of the segment, and its duration so far.
+/// at the start of the segment, and the planned duration of the slices so far.
 ///
-/// A segment lasts a whole number of ticks. The rest of its planned time is added to the next
+/// A segment lasts a whole number of ticks. The rest of its planned duration is added to the next
 /// segment.
 class JoinedSlices {
  public:
@@ -52,7 +52,7 @@ class JoinedSlices {
   AxisArray<StepPosition> from_{};
   AxisArray<float> speeds_{};  ///< Speeds at the start of the segment, steps per tick.
   std::uint32_t duration_ns_ = 0;
-  /// Planned time, ns, beyond the whole ticks of the segments so far.
+  /// Planned time of the segments so far minus the time of their whole ticks, ns.
   std::int32_t remainder_ns_ = 0;
 };
 

@@ -11,22 +11,23 @@
 
 namespace cnc::motion {
 
-/// Shifts a beam that is driven at an offset of half a kerf from an edge. While the present kerf is
-/// wider or narrower than the kerf at the programmed speed, the beam is off the planned path by
-/// half of the difference.
+/// Shifts a beam that is driven at an offset of half a kerf from an edge of the part. While the
+/// present kerf is wider or narrower than the kerf at the programmed speed, the beam is driven off
+/// the planned path by half of the difference.
 ///
-/// The shift is this distance times a vector in the plane. On a block next to an edge, the
-/// component of the vector across the path is the unit normal. So the edge of the cut stays on the
-/// edge of the part. The component along the path leads to the shifted corner: at a joint, the
-/// vectors of both blocks lead to the point where their shifted paths meet. On a block that is not
-/// next to an edge, the vector changes from that of the previous block to that of the next block.
-/// If the next block is not next to an edge either, it changes to zero.
+/// The shift is half of the difference times a vector in the plane of the path. On a block next to
+/// an edge, the component of the vector across the path is the unit normal. So the edge of the cut
+/// stays on the edge of the part. The component along the path leads to the shifted corner: at a
+/// joint, the vectors of both blocks lead to the point where their shifted paths meet. On a block
+/// that is not next to an edge, the vector changes from the vector of the previous block to the
+/// vector of the next block. If the next block is not next to an edge either, the vector changes to
+/// zero.
 ///
-/// Over a distance driven, neither a change of the shift's length nor a change of the vector moves
-/// the beam by more than a quarter of that distance. So the shift lags where hard braking changes
-/// the kerf too fast, or where a corner becomes known late.
+/// While the plan drives a distance, neither a change of the shift's length nor a change of the
+/// vector moves the beam by more than a quarter of this distance. So the shift lags where hard
+/// braking changes the kerf too fast, or where the block after a corner becomes known late.
 ///
-/// The position of the motors is that of the plan plus the shift. Main loop only.
+/// The position of the motors is the planned position plus the shift. Main loop only.
 class KerfShift {
  public:
   /// Follows `course` from now on; null stops following.
@@ -48,10 +49,10 @@ class KerfShift {
   [[nodiscard]] bool ends() const { return ends_; }
   /// Prepares for `next`, the block after the present one.
   void meet(const Block& next);
-  /// Computes the shift at a position on the block.
+  /// Moves to a position on the block, and computes the shift there.
   /// @param fraction position as a fraction of the block's length, 0…1
   /// @param way_mm distance from the previous position, mm
-  /// @param heat heat input divided by the programmed one, finite
+  /// @param heat heat input divided by the programmed heat input, finite
   void move(float fraction, float way_mm, float heat, const Limits& limits);
 
   /// Adds the shift to `place`, a planned position, which becomes the position of the motors.

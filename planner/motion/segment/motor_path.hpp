@@ -38,7 +38,8 @@ class MotorPath {
       const std::int64_t way = turns_ ? turned(point.turn) : chord_.share(point.fraction);
       return StepPosition{start_.q32() + way};
     }
-    /// Returns the steps per mm of path. Multiplied by the path speed, they are steps/s.
+    /// Returns the signed steps of the motor per mm of path. Multiplied by the path speed in mm/s,
+    /// they are the speed of the motor in steps/s.
     [[nodiscard]] float speed(const Point& point) const {
       if (!turns_) return chord_per_mm_;
       return chord_per_mm_ * point.turn.along_rate + normal_per_mm_ * point.turn.across_rate;
@@ -80,7 +81,7 @@ class MotorPath {
     StepPosition start_{};
     Length chord_{};
     Length normal_{};            ///< Component of the chord's normal along this axis.
-    float chord_per_mm_ = 0.0F;  ///< Steps of chord per mm of path.
+    float chord_per_mm_ = 0.0F;  ///< Component of the chord in steps, per mm of path.
     float normal_per_mm_ = 0.0F;
   };
 
@@ -92,7 +93,7 @@ class MotorPath {
   /// Returns the point at a fraction of the block's length. 2^32 is the end, which is exact.
   [[nodiscard]] Point at(std::uint64_t fraction) const;
 
-  /// Returns the motors that move on the block. The others stay where they are.
+  /// Returns the motors that move on the block. All other motors stay at their positions.
   [[nodiscard]] std::span<const Motor> moving() const { return {motors_.data(), count_}; }
 
  private:

@@ -18,8 +18,8 @@ void PixelCourse::begin(const Block& block, PathUnits length) {
   pass(0);
 }
 
-/// Uses up the pixels before `place`. At the end of the block, a pixel that ends within the block's
-/// part of the row is used up, too.
+/// Marks the pixels before `place` as driven. At the end of the block, also marks the last pixel if
+/// it ends there and does not continue in the next block.
 void PixelCourse::pass(PathUnits place) {
   if (!row_.any()) return;
   while (change_ <= place && change_ < length_) {

@@ -7,7 +7,8 @@
 namespace cnc::motion {
 
 /// The power along the block that is being driven. It is the power of the block or, if the block
-/// drives a part of a row, that of the row's pixels. Pixels are used up as the motion passes them.
+/// drives a part of a row, the power of the row's pixels. Pixels that the motion has passed are
+/// removed from the waiting ones.
 class PixelCourse {
  public:
   /// @param pixels pixels of the rows of all blocks; null if no block has a row
@@ -15,7 +16,7 @@ class PixelCourse {
 
   /// Begins a block. @param length length of the block
   void begin(const Block& block, PathUnits length);
-  /// Sets the present position on the block, and uses up the pixels before it.
+  /// Sets the present position on the block, and marks the pixels before it as driven.
   void pass(PathUnits place);
   /// Returns the position of the next change of power, or the end of the block.
   [[nodiscard]] PathUnits next_change() const { return change_; }

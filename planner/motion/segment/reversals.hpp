@@ -9,8 +9,8 @@
 namespace cnc::motion {
 
 /// The positions on an arc where an axis of its plane reverses. In a coordinate plane, these are at
-/// each quarter turn of the tangent. A straight block has none. The reversals before and after the
-/// present position are stored, so that each slice costs comparisons only.
+/// each quarter turn of the tangent. A straight block has none. The nearest reversals before and
+/// after the present position are stored, so that a slice usually requires only comparisons.
 class Reversals {
  public:
   Reversals() = default;
@@ -23,8 +23,8 @@ class Reversals {
   }
   /// Returns the first reversal after the present position, or the end of the block.
   [[nodiscard]] PathUnits next() const { return next_; }
-  /// Returns whether `place` is within a 96th of a turn of a reversal. So near to a reversal, the
-  /// speed of an axis soon changes by more than its present value.
+  /// Returns whether a reversal is within a 96th of a turn before or after `place`. So near to a
+  /// reversal, the speed of an axis soon changes by more than its present value.
   [[nodiscard]] bool near(PathUnits place) const {
     return place < near_until_ || place > near_from_;
   }
@@ -36,8 +36,8 @@ class Reversals {
   [[nodiscard]] float last_until(float quarters) const;
   [[nodiscard]] float first_behind(float quarters) const;
 
-  /// An angle at which each axis reverses, in quarter turns. The axis reverses at every half turn
-  /// from this angle, too.
+  /// For each axis, an angle of the tangent, in quarter turns, at which the axis reverses. The axis
+  /// also reverses at every half turn from this angle.
   AxisArray<float> turns_{};
   std::size_t turn_count_ = 0;  ///< Number of angles in turns_.
   PathUnits length_ = 0;

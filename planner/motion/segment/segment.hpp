@@ -10,9 +10,9 @@
 
 namespace cnc::motion {
 
-/// Frequency of the step generator's clock, in Hz. It divides the timer clock of the STM32F405 (84
-/// MHz / 21). A tick is a whole number of nanoseconds (250), a hundred times finer than the timing
-/// promise of 25 µs.
+/// Frequency of the step generator's clock, in Hz: the timer clock of the STM32F405, 84 MHz,
+/// divided by 21. A tick is a whole number of nanoseconds (250), a hundred times finer than the
+/// timing promise of 25 µs.
 inline constexpr std::uint32_t kTicksPerSecond = 4'000'000;
 inline constexpr std::uint32_t kNsPerTick = 1'000'000'000 / kTicksPerSecond;
 
@@ -21,8 +21,8 @@ inline constexpr float kFullOutput = 65535.0F;
 
 /// Steps of one motor within a segment. Step k (0, 1, …) is due at
 ///   first + k · interval + k (k − 1) / 2 · growth
-/// ticks after the start of the segment, all in Q16 ticks. The term in k² follows an acceleration
-/// within the segment.
+/// ticks after the start of the segment, all in Q16 ticks. The term in k² represents the
+/// acceleration within the segment.
 struct StepTrain {
   std::int32_t first_q16 = 0;
   std::int32_t interval_q16 = 0;
@@ -57,15 +57,15 @@ struct Segment {
   /// gives the output of the first pixel, and each further pixel has a level.
   static constexpr std::size_t kMaxLevels = 6;
 
-  std::uint32_t ticks = 0;    ///< Length of the segment.
-  PowerCourse power{};        ///< Output up to the first level, or over the whole length.
+  std::uint32_t ticks = 0;    ///< Duration of the segment.
+  PowerCourse power{};        ///< Output up to the first level, or to the end.
   std::uint8_t negative = 0;  ///< Bit i: axis i runs backwards.
   std::uint8_t level_count = 0;
   /// True if the motion is at rest after the segment. Then an empty queue is no fault.
   bool comes_to_rest = false;
   OutputChanges outputs{};  ///< Changes at the start of the segment.
   SourceLine line{};        ///< Source line at the start of the segment, or an earlier line.
-  std::array<PowerLevel, kMaxLevels> levels{};  ///< In order of time, all within the segment.
+  std::array<PowerLevel, kMaxLevels> levels{};  ///< Levels in order of time.
   AxisArray<StepTrain> trains{};
 
   /// Returns whether the output is 0 during the whole segment.

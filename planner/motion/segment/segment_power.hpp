@@ -9,11 +9,11 @@
 
 namespace cnc::motion {
 
-/// Output over the slices of the segment that is being made. It is one linear slope or, if the duty
-/// jumps between two slices, one level for each slice.
+/// Output over the slices of the segment that is being made. The output is one linear slope or, if
+/// the duty jumps between two slices, one level for each slice.
 ///
 /// If there are more slices than a segment has levels, or than LevelRate allows, several slices
-/// share one level with the energy of them all. Main loop only.
+/// share one level with the same total energy. Main loop only.
 class SegmentPower {
  public:
   void begin() {

@@ -10,10 +10,10 @@ namespace cnc::motion {
 /// Limits the number of short parts in a row that go into a queue to the step interrupt. A part is
 /// a segment or a level of the output.
 ///
-/// The queue holds a fixed number of parts, which have to last until the next ones come in. So the
-/// mean duration of parts must be at least a given time, `shortest`. By the time by which parts are
-/// longer than that, later parts may be shorter, up to kMaxShort · shortest in total. So a motion
-/// of duration T has at most T / shortest + kMaxShort parts.
+/// The queue holds a fixed number of parts, which have to last until the next parts are added. So
+/// the mean duration of parts must be at least a given time, `shortest`. The excess of longer parts
+/// over `shortest` is saved, up to kMaxShort · shortest in total. Shorter parts use this saved
+/// time. So a motion of duration T has at most T / shortest + kMaxShort parts.
 class PartRate {
  public:
   static constexpr std::int32_t kMaxShort = 12;
@@ -32,7 +32,7 @@ class PartRate {
 
  private:
   std::int32_t shortest_;
-  /// Time by which later parts may be shorter than `shortest`.
+  /// Total time by which later parts may be shorter than shortest_.
   std::int32_t spare_ = kMaxShort * shortest_;
 };
 

@@ -13,8 +13,8 @@ namespace {
 constexpr std::uint32_t kLongestSliceNs = 1'000'000;
 /// Longest slice where the speed of the path or of an axis changes by more than a third.
 constexpr std::uint32_t kShortSliceNs = 250'000;
-/// Slices shorter than this are joined to one segment, which is still short enough that a parabola
-/// fits its step times.
+/// Slices shorter than kShortestNs are joined to one segment of at most kLongestJoinedNs. Such a
+/// segment is short enough that a parabola fits its step times.
 constexpr std::uint32_t kShortestNs = SegmentRate::kShortest * kNsPerTick;
 constexpr std::uint32_t kLongestJoinedNs = 2 * kShortestNs;
 
@@ -46,7 +46,7 @@ void Segmenter::go_back(PathUnits place, PathUnits distance) {
   stand(place_steps_);
 }
 
-/// Forgets the motion so far; the motors are at rest at `place`.
+/// Forgets the motion so far. The motors are at rest at `place` now.
 void Segmenter::stand(const AxisArray<StepPosition>& place) {
   plan_.reset();
   stretch_ = {};
@@ -67,7 +67,7 @@ AxisArray<StepPosition> Segmenter::motors() const {
 }
 
 bool Segmenter::next(Segment& segment) {
-  // A segment shorter than a tick is not handed out; its time goes into the next segment. With
+  // A segment shorter than a tick is not handed out. Its time goes into the next segment. With
   // blocks of a few nanometres at full speed, several slices are necessary for one segment.
   constexpr int kMaxShortSlices = 64;
   // The last segment before a rest is handed out even if it is shorter than a tick, because it
@@ -243,7 +243,7 @@ void Segmenter::begin_block() {
   length_ = length_in_units(block);
   fraction_ = BlockFraction{length_};
   reversals_ = Reversals{block, length_};
-  // Under a time window, stretches are so short that this limit is not necessary.
+  // Under a time window, stretches are so short that no limit of the angle of a slice is necessary.
   const bool widely = block.turns() && !plan_.window().filters();
   widest_mm_ = widely ? kWidestSlice * block.length / std::abs(block.turn.half_sweep) : kFar;
   power_.begin(block, length_);
@@ -266,7 +266,7 @@ void Segmenter::end_block() {
 
 /// Returns the greatest duration of the next slice, in ns. Slices are shorter where the speed of
 /// the path or of an axis changes by more than a third. On an arc, a slice turns by at most a 48th
-/// of a turn. So a parabola in the step index fits the step times. What is left of a stretch is
+/// of a turn. So a parabola in the step index fits the step times. The rest of the stretch is
 /// divided into slices of equal duration.
 std::uint32_t Segmenter::longest_slice_ns() const {
   const std::uint32_t left = stretch_.left_ns();
@@ -292,8 +292,8 @@ Segmenter::Cut Segmenter::cut_slice(std::uint32_t max_ns) {
   return cut(end_of_slice(std::min(reversals_.next(), power_.next_change()), max_ns));
 }
 
-/// Returns the end of the next slice: at `stop`, or earlier if the greatest duration of a slice or
-/// `max_ns` ends before.
+/// Returns the end of the next slice. The slice ends at the position `stop`, or earlier if it would
+/// last longer than longest_slice_ns() or `max_ns`.
 Segmenter::End Segmenter::end_of_slice(PathUnits stop, std::uint32_t max_ns) {
   End end{.ns = stretch_.elapsed_ns() + std::min(longest_slice_ns(), max_ns)};
   end.place = stretch_.place_after(end.ns);
@@ -346,8 +346,9 @@ void Segmenter::follow_kerf_to(PathUnits end, std::uint64_t fraction) {
   kerf_.move(fraction_of(fraction), to_mm(end - place_), heat(), limits_);
 }
 
-/// Returns the heat input divided by the programmed one: the ratio of powers, divided by the ratio
-/// of speeds. Under M4 the power follows the speed. Under M3 it is constant.
+/// Returns the heat input divided by the programmed heat input. It is the ratio of the present to
+/// the programmed power, divided by the ratio of the present to the programmed speed. Under M4 the
+/// power follows the speed. Under M3 it is constant.
 float Segmenter::heat() const {
   constexpr float kSlowest = 1.0e-3F;  // mm/s
   const Block& block = queue_.front();

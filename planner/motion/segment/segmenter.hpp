@@ -40,15 +40,16 @@ class SliceObserver {
 
 /// Cuts the planned motion into segments for the step interrupt.
 ///
-/// Takes each block from the front of a queue when the motors reach its end. Cuts the stretches of
-/// the plan so that a slice lies in one block and one pixel, lasts at most a millisecond and
-/// reverses no axis. A change of the plan, an override or a hold takes effect at the next stretch.
+/// Removes each block from the front of a queue when the motors reach its end. Cuts the stretches
+/// of the plan so that a slice is within one block and one pixel, lasts at most a millisecond and
+/// reverses no axis. Added blocks, an override or a hold take effect at the next stretch.
 ///
 /// A slice shorter than SegmentRate::kShortest is joined to one segment with the slices after it,
-/// so that a queue of segments lasts long enough. A segment is shorter than that only where an axis
-/// reverses, the power jumps, outputs change or the motion ends. Where the power jumps so often
-/// that the queue would not last, a segment has a level for each of its slices. Where pixels are
-/// shorter than kShortest, one slice covers several of them, and each of these pixels has a level.
+/// so that a full queue of segments lasts until the next segments are made. A segment is shorter
+/// than kShortest only where an axis reverses, the power jumps, outputs change or the motion ends.
+/// Where the power jumps so often that the queue would run empty, a segment has a level for each of
+/// its slices. Where pixels are shorter than kShortest, one slice covers several pixels, and each
+/// of these pixels has a level.
 ///
 /// Main loop only. The state of the object is the state at the end of the last slice handed out.
 class Segmenter {
@@ -59,8 +60,8 @@ class Segmenter {
   Segmenter(BlockQueue& queue, const Limits& limits, Pixels* pixels = nullptr)
       : queue_{queue}, limits_{limits}, plan_{queue, limits}, power_{pixels} {}
 
-  /// Makes the next segment. Returns false if there is none: everything is driven, or the motion is
-  /// halted.
+  /// Makes the next segment. Returns false if there is none: all blocks are driven, or the motion
+  /// is halted.
   [[nodiscard]] bool next(Segment& segment);
   /// Makes the next slice, of at most `max_ns`, for a caller that makes the pulses itself. Returns
   /// false if there is none.
@@ -72,17 +73,20 @@ class Segmenter {
   void halt() { plan_.halt(); }
   void go_on() { plan_.go_on(); }
 
-  /// Returns whether nothing is left to hand out.
+  /// Returns whether no motion is left to hand out.
   [[nodiscard]] bool idle() const { return !driving_ && queue_.empty(); }
   /// Returns whether the motion is at rest. It may be halted within a block.
   [[nodiscard]] bool at_rest() const { return speed_ <= 0.0F; }
   /// Returns the position at the end of the last slice handed out.
   [[nodiscard]] const AxisArray<StepPosition>& place() const { return place_steps_; }
-  /// Returns the distance to the end of the oldest block, in mm. @pre !idle()
+  /// Returns the distance from the present position to the end of the oldest block, in mm.
+  /// @pre !idle()
   [[nodiscard]] float left_of_block() const {
     return driving_ ? to_mm(length_ - place_) : queue_.front().length;
   }
-  /// Returns the distance from the start of the oldest block, in path units. @pre !idle()
+  /// Returns the distance of the present position from the start of the oldest block, in path
+  /// units.
+  /// @pre !idle()
   [[nodiscard]] PathUnits into_block() const { return driving_ ? place_ : 0; }
   /// Returns the running length of all motion that was handed out (wraps). Motion that was taken
   /// back no longer counts.
@@ -97,9 +101,9 @@ class Segmenter {
   [[nodiscard]] const TimeWindow& window() const { return plan_.window(); }
   [[nodiscard]] bool halted() const { return plan_.halts() && at_rest(); }
 
-  /// Makes the motors follow the kerf at the driven power and speed, on blocks next to an edge. The
-  /// ends of planned slices then include the shift for the kerf; segments do not. Null stops
-  /// following.
+  /// Shifts the motors, on blocks next to an edge of the part, by half of the difference between
+  /// the kerf at the driven power and speed and the programmed kerf. The ends of planned slices
+  /// then include the shift for the kerf. Segments do not include it. Null ends the shifting.
   /// @param course must outlive its use
   /// @pre at rest, and on_path()
   void follow_kerf(const kerf::KerfCourse* course) { kerf_.follow(course); }
@@ -112,7 +116,7 @@ class Segmenter {
   /// @param centre must outlive its use; null if rotary axes do not move the tip
   /// @pre at rest
   void follow_centre(const kinematics::ToolCentre* centre) { centre_ = centre; }
-  /// Returns whether slices may end elsewhere than at place().
+  /// Returns whether the ends of planned slices may differ from place().
   [[nodiscard]] bool leaves_path() const { return follows_kerf() || centre_ != nullptr; }
 
   /// Forgets all motion; the motors are at `place` now. A halt remains.
@@ -187,7 +191,7 @@ class Segmenter {
   PixelCourse power_;
   MotorPath path_{};
   AxisArray<StepPosition> place_steps_{};
-  AxisArray<float> rates_{};  ///< Steps per mm of path, of the axes that move.
+  AxisArray<float> rates_{};  ///< Present rates of the moving axes, steps per mm of path.
   float speed_ = 0.0F;        ///< mm/s.
   KerfShift kerf_{};
   const kinematics::ToolCentre* centre_ = nullptr;

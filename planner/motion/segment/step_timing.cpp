@@ -55,7 +55,8 @@ StepTrain time_steps(const AxisSlice& slice, float shift) {
   const std::int64_t from = slice.from.q32();
   const std::int64_t travel = slice.to.q32() - from;
   const std::int64_t from_centre = from - StepPosition::whole(start_step).q32();
-  // Distance to the first half step in the direction of travel.
+  // Distance, in steps, from the start of the slice to the first position halfway between two
+  // steps.
   const float first_edge = to_steps(kHalfStep - (forward ? from_centre : -from_centre));
   const Parabola motion{to_steps(forward ? travel : -travel),
                         forward ? slice.speed_steps_per_tick : -slice.speed_steps_per_tick,

@@ -20,8 +20,8 @@ struct AxisSlice {
 /// assumed to follow a parabola through `from` and `to` with the start speed.
 ///
 /// The times of up to three steps are exact. For more steps, the times of the first, the middle and
-/// the last one are exact, and the others lie on a parabola through these. If the speed changes by
-/// at most half within the slice, the error stays below 2 % of the slice.
+/// the last step are exact. The times of all other steps are on a parabola through these times. If
+/// the speed changes by at most half within the slice, the error stays below 2 % of the slice.
 ///
 /// @param shift time in ticks from the start of the segment to the start of the slice; may be
 /// negative

@@ -6,9 +6,9 @@
 
 namespace cnc::motion {
 
-/// The stretch of the motion that is being cut into slices. Stores where the stretch starts on the
-/// path and how much of its time has passed. Times are in ns from the start of the stretch. Places
-/// are distances from the start of the front block, in path units.
+/// The stretch of the motion that is being cut into slices. Stores the place where the stretch
+/// starts and the time that has passed since then. Times are in ns from the start of the stretch.
+/// Places are distances from the start of the front block, in path units.
 class StretchInProgress {
  public:
   /// Begins another stretch at the place `from`. @pre stretch.lasts()
@@ -51,7 +51,7 @@ class StretchInProgress {
 
  private:
   PhaseCourse course_{};
-  PathUnits from_ = 0;  ///< Place of the start; negative if it is in an earlier block.
+  PathUnits from_ = 0;  ///< Place of the stretch's start; negative in an earlier block.
   std::uint32_t elapsed_ns_ = 0;
 };
 
