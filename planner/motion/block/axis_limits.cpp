@@ -48,6 +48,8 @@ class BlockWay {
 /// rates are evaluated at three positions. An allowance for the positions between them is added.
 float rotary_rate(const Block& block, const BlockWay& way) {
   constexpr std::array<float, 3> kShares{0.0F, 0.5F, 1.0F};
+  // The sum of the changes of three rates is at most √3 times the change of the tangent.
+  constexpr float kOfAllAxes = 1.7320508F;
   float greatest = 0.0F;
   for (const float share : kShares) {
     const AxisVector first = way.at(share).first;
@@ -57,7 +59,7 @@ float rotary_rate(const Block& block, const BlockWay& way) {
     }
     greatest = std::max(greatest, rate);
   }
-  const float between = way.curvature() * 0.25F * block.length;
+  const float between = kOfAllAxes * way.curvature() * 0.25F * block.length;
   return (greatest + between) * kRadiansPerDegree;
 }
 
