@@ -135,8 +135,8 @@ void OffsetChain::extend(std::size_t index) {
   out.live = in.live;
 }
 
-/// Returns the direction of the line that touches the circle about a corner. The line begins
-/// `length` mm before the corner, which is seen from there in the direction `direction`.
+/// Returns the direction of the line that touches the circle about a corner. From the beginning of
+/// the line, the corner is in the direction `direction`, at the distance `length` mm.
 /// @param side 1 for a path that arrives at the corner, −1 for a path that leaves it
 /// @pre length ≥ |distance()|
 Vec2 OffsetChain::round(const Vec2& direction, float length, float side) const {
@@ -253,8 +253,9 @@ bool OffsetChain::is_beside(const Vec2& cut, const Place& origin, std::size_t in
 /// Returns whether a point that would be swallowed could be cut. Such a point is not too near to
 /// any element, and not next to the point `cut`, where the path is cut anyway.
 bool OffsetChain::could_be_cut(const Vec2& lost, const Vec2& cut, const Place& origin) const {
-  // The ends that are removed at a slight turn by the angle t count as clear. The length removed is
-  // t · |distance_|, and the allowance kTolerance is half of t times half of that length.
+  // At a turn by a slight angle t, the ends that are removed are t · |distance_| long. They are too
+  // near by t / 2 times half of that length. If this is at most kTolerance, is_clear() accepts
+  // them, although they need not be cut. `brief` is the greatest length of such ends.
   const float brief = 2.0F * std::sqrt(kTolerance * std::abs(distance_)) + kTouch;
   return (lost - cut).norm() > brief && is_clear(lost, origin, true);
 }

@@ -70,7 +70,7 @@ struct OutputChange {
 struct ProbeMode {
   /// True to move until contact (G38.2, G38.3); false to move until contact ends.
   bool towards_contact = true;
-  /// True if it is a fault that the probe does not change (G38.2, G38.4).
+  /// True if a probe that does not change until `end` is a fault (G38.2, G38.4).
   bool error_if_missed = true;
 };
 

@@ -197,8 +197,8 @@ Refusal Execution::set_material() {
   return std::nullopt;
 }
 
-/// Returns whether the path is offset by a kerf and the line has no word that could end this. Such
-/// a path has one kerf, so power and speed must not change.
+/// Returns whether the path is offset by a kerf and the line has no word that could end the offset.
+/// The width of the kerf is then constant, so power and speed must not change.
 bool Execution::keeps_kerf() const {
   return context_.modal.compensation.by_kerf && !block_.has(ModalGroup::kCutterRadius);
 }

@@ -35,8 +35,8 @@ enum class ErrorCode : std::uint8_t {
   kValueTooLarge = 38,
 };
 
-/// The exact fault, of which several may have the same number in Grbl. Each fault has one number
-/// and one sentence, which are listed in fault.cpp in the order of this enum.
+/// The exact fault. Several faults may share one error number of Grbl. The number and the sentence
+/// of each fault are listed in fault.cpp in the order of this enum.
 enum class FaultDetail : std::uint8_t {
   kNotALetter,
   kForeignByte,

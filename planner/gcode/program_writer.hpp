@@ -55,8 +55,8 @@ class ProgramWriter {
   [[nodiscard]] std::string_view use_plane(Plane plane);
   [[nodiscard]] Plane plane() const { return plane_; }
 
-  /// Writes a G0. A change of the height is a separate motion. It comes before the motion in the
-  /// plane if it is upwards, and after it if it is downwards. @pre the plane is XY
+  /// Writes a G0. A change of the height is a separate motion. An upward change comes before the
+  /// motion in the plane, and a downward change after it. @pre the plane is XY
   template <std::floating_point Scalar>
   [[nodiscard]] Result<std::string_view, WriterError> rapid(const BasicVec2<Scalar>& to);
 
@@ -86,7 +86,8 @@ class ProgramWriter {
   /// Adds the rapids to a position and to the height at the end of the motion.
   void add_rapids(GridPlace to);
   [[nodiscard]] bool is_at_height() const { return !height_ || height_ == written_height_; }
-  /// Returns the height in the middle of the motion, for the first of its two halves.
+  /// Returns the height in the middle of the motion, in units of the last printed digit. It is the
+  /// height at the end of the first part of a motion that is written as two.
   [[nodiscard]] std::optional<std::int32_t> half_way() const;
   /// Adds the G word if it changes, and those coordinates of the end that change.
   void add_motion(int motion, GridPlace to);

@@ -16,8 +16,8 @@ constexpr float kRoundingMm = 3.0e-6F;
 // Allowance for single precision as a share of the trim.
 constexpr float kRelativeRounding = 4.0e-7F;
 
-/// Greatest angle, in radians, by which an arc next to a corner may turn within the trim. Within
-/// this angle, the compared distances change smoothly.
+/// Greatest angle, in radians, by which an arc next to a corner may turn within the trim. Up to
+/// this angle, the distances that blend_deviation() samples change smoothly.
 constexpr float kMaxTurnOfLeg = 0.5F;
 
 /// Computes the geometry of a corner, and returns the plane in which the direction turns. Returns

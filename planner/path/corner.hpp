@@ -5,9 +5,9 @@
 
 namespace cnc::path {
 
-/// Greatest distance of a rounded position from its curve, in mm, for elements of one curve. Then
-/// the greatest change of direction, in radians, that is attributed to this rounding.
+/// Greatest distance of a rounded position from its curve, in mm, for elements of one curve.
 inline constexpr float kRoundedPlaceMm = 1.2e-5F;
+/// Greatest change of direction, in radians, that is attributed to the rounding of positions.
 inline constexpr float kSmoothTurn = 0.02F;
 
 /// Length in mm below which distances and chords consist only of rounding to nanometres.

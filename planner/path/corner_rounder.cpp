@@ -24,14 +24,14 @@ motion::Joint joint_at(const Corner& corner) {
   return corner.kind == Corner::Kind::kSmooth ? motion::Joint::kSmooth : motion::Joint::kStop;
 }
 
-/// Returns whether anything changes at the corner that must change exactly there. This includes
-/// pixels, which change along their whole row.
+/// Returns whether feed, beam or outputs change at the corner between two elements. They must
+/// change exactly there. A row of pixels counts as a change of the beam.
 bool differ(const motion::MotionRequest& a, const motion::MotionRequest& b) {
   return a.feed_mm_s != b.feed_mm_s || !(a.beam == b.beam) || a.row.any() || b.row.any() ||
          !(b.outputs == motion::OutputChanges{});
 }
 
-/// Holds an element from which no corner has taken any length.
+/// Sets `place` to an element from which no corner has taken any length yet.
 void hold(std::optional<HeldItem>& place, const PathItem& item, motion::Joint joint) {
   HeldItem& held = place.emplace();
   held.item = item;
@@ -79,7 +79,7 @@ void CornerRounder::put(const PathItem& item) {
   meet(item);
 }
 
-/// Returns the item before the next item, or null at the start of the path.
+/// Returns the item that was added last, or null at the start of the path.
 const PathItem* CornerRounder::newest() const {
   if (second_) return &second_->item;
   if (first_) return &first_->item;

@@ -33,7 +33,8 @@ struct PathItem {
   /// True if the element and the element before it are parts of one curve. Then a change of
   /// direction that the rounding of positions explains is no corner.
   bool continues = false;
-  /// Greatest distance of the omitted positions before the element from the element's start, mm.
+  /// Greatest distance between the element's start and the positions before it that were omitted
+  /// because their lines were too short, mm.
   float aside_mm = 0.0F;
 };
 

@@ -99,7 +99,8 @@ class PixelRow {
   bool full_ = false;
 
   std::size_t lines_ = 0;
-  bool graded_ = false;  ///< True if the row has more than one power.
+  /// True if the row has more than one power, or continues a full row that has.
+  bool graded_ = false;
   bool slopes_known_ = false;
   Way way_{};  ///< Travel from the start to the end of the row.
   std::size_t leading_ = 0;

@@ -16,18 +16,18 @@ constexpr float kPointRoundingMm = 3.0e-6F;
 constexpr float kPointRelativeError = 6.0e-7F;
 /// Least tolerance of a weld, mm. Below a tenth of a micrometre, there is only rounding.
 constexpr float kMinToleranceMm = 1.0e-4F;
-/// Greatest length of a line that is welded, mm: a longer line is meant as a line. Greatest
-/// distance from the start of a fit, mm: beyond it, errors of single precision use up the
-/// tolerance.
+/// Greatest length of a line that is welded, mm: a longer line is meant as a line.
 constexpr float kLongestLineMm = 20.0F;
+/// Greatest distance of a point from the start of a fit, mm: beyond it, errors of single precision
+/// use up the tolerance.
 constexpr float kFarthestMm = 100.0F;
 /// Cosine of 45°. A joint that turns by more is a corner.
 constexpr float kSharpTurnCosine = 0.7071F;
 /// Arcs end before they turn by 130°. Up to there, the distance from their start grows fast enough
 /// to distinguish the points on them.
 constexpr float kWidestCosine = 0.4226F;  // Cosine of 65°, the angle between tangent and chord.
-/// Cosine of 17°. If the direction differs by more from the direction of the piece before, the fit
-/// begins without a known direction.
+/// Cosine of 17°. If the first line of a fit differs by more from the direction at the end of the
+/// piece before, the fit begins without a known direction.
 constexpr float kSameWayCosine = 0.955F;
 /// Least radius of an arc as a multiple of the tolerance.
 constexpr float kMinRadii = 4.0F;

@@ -93,7 +93,8 @@ class Welder {
 
   /// The properties that all lines of the chain share. Also the piece that was returned last.
   PathItem chain_{};
-  /// True if a piece of the chain was returned. It had the outputs before the chain.
+  /// True if a piece of the chain was returned. That piece had the outputs that come before the
+  /// chain.
   bool given_out_ = false;
   std::array<Point, kMaxHeld> points_{};
   std::size_t oldest_ = 0;
