@@ -8,8 +8,8 @@
 namespace cnc::compensation {
 namespace {
 
-/// Tolerance of the check that an entry arc makes at most half a turn. An entry that is too short
-/// for the offset turns by more.
+/// Tolerance, as a cosine, of the check that an entry arc makes at most half a turn. An entry that
+/// is too short for the offset turns by more.
 constexpr float kHalfTurn = 1.0e-4F;
 constexpr float kThirdOfATurn = -0.5F;  ///< Cosine of a third of a turn.
 

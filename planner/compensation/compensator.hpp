@@ -46,7 +46,8 @@ class Compensator {
 
   /// Returns whether a path has begun and not ended, or elements wait to be taken.
   [[nodiscard]] bool active() const { return active_; }
-  /// Returns whether the machine is offset from the programmed path: from end() until leave().
+  /// Returns whether the path has ended, but the machine is still offset from it: from end() until
+  /// leave().
   [[nodiscard]] bool beside() const { return beside_; }
   /// Returns whether put() may be called: no element waits to be taken.
   [[nodiscard]] bool has_room() const { return given_ == free_; }

@@ -126,8 +126,8 @@ void OffsetChain::extend(std::size_t index) {
   if (stretch(join).exists) add_raw(join, true);
   const Name name{index, Kind::kParallel};
   add_raw(name, !concave);
-  // If the entry is too short to reach the intersection of both offsets, it leads to the start of
-  // this element's offset.
+  // If the entry is too short to reach the intersection of its offset and this element's offset, it
+  // leads to the start of this element's offset.
   Stretch& in = stretch({last, Kind::kParallel});
   Stretch& out = stretch(name);
   if (!path_.is_entry(last) || out.live || !has_raw(name)) return;

@@ -22,7 +22,7 @@ struct PlaneVector {
 /// Permitted distance of an arc's end from the circle through the arc's start.
 struct ArcTolerance {
   float absolute_mm = 0.05F;
-  float relative = 0.01F;  ///< Share of the radius.
+  float relative = 0.01F;  ///< Tolerance as a share of the radius.
 };
 
 /// Returns the greater one of the two tolerances, limited to 0.5 mm. The result is never stricter

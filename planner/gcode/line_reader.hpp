@@ -54,7 +54,7 @@ class LineReader {
 
   /// Returns whether a colon and another value of the last word follow.
   [[nodiscard]] bool at_more_values() const { return at(':'); }
-  /// Reads this other value into `word`, which keeps its letter, and advances. @pre
+  /// Reads the value after the colon into `word`, which keeps its letter, and advances. @pre
   /// at_more_values()
   [[nodiscard]] Refusal read_more(Word& word) { return read_value(word.letter, word); }
 

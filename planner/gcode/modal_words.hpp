@@ -25,10 +25,10 @@ enum class ModalGroup : std::uint8_t {
   kPathControl,       ///< G group 13, PathMode
   kStop,              ///< M group 4, Stop
   kOutput,            ///< M group 5, Output
-  kToolChange,        ///< M group 6, only M6: always 0
+  kToolChange,        ///< M group 6, only M6: meaning 0
   kSpindle,           ///< M group 7, SpindleMode
   kCoolant,           ///< M group 8, CoolantWord
-  kMaterial,          ///< No standard group, only M190: always 0
+  kMaterial,          ///< No standard group, only M190: meaning 0
 };
 
 inline constexpr std::size_t kModalGroupCount = 17;

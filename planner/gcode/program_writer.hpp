@@ -41,7 +41,7 @@ class ProgramWriter {
   void set_feed(std::uint32_t thousandths) { feed_ = thousandths; }
   void set_power(std::uint32_t thousandths) { power_ = thousandths; }
 
-  /// Omits S in all following lines. Used if S is the speed of a spindle.
+  /// Omits S in all following lines, because S would be the speed of a spindle.
   void leave_power() { power_ = written_power_ = 0; }
   /// Sets the height at the end of the next motion, in mm. Returns false and changes nothing if the
   /// height is NaN or its distance from zero exceeds kFarthestOnGrid. If this function is never

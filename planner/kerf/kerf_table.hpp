@@ -125,7 +125,7 @@ struct TableFault {
 [[nodiscard]] std::string_view describe(TableError error);
 
 /// Returns whether a name has a permitted length and only permitted characters. A name is printed
-/// in lines of text, between commas and brackets, so these characters are excluded.
+/// in lines of text, between commas and brackets, so it must not contain commas and brackets.
 [[nodiscard]] constexpr bool fits_name(std::string_view name) {
   if (name.empty() || name.size() > kLongestName) return false;
   if (name.front() == ' ' || name.back() == ' ') return false;

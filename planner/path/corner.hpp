@@ -27,7 +27,7 @@ struct Corner {
   Leg after{};
   /// Angle from the direction before to the direction after, rad, positive to the left.
   float turn = 0.0F;
-  /// Greatest distance of the blend from the path and of the path from the blend, mm.
+  /// Greatest permitted distance of the blend from the path and of the path from the blend, mm.
   float tolerance_mm = 0.0F;
   float wish_mm = 0.0F;  ///< Trim that the corner requests of both neighbours, mm.
 

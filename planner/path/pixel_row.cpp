@@ -89,8 +89,8 @@ bool PixelRow::may_go_on(const motion::MotionRequest& next, bool same_power) con
          !for_welder;
 }
 
-/// Returns whether the row to a new end passes all ends so far, does not turn back, and is not too
-/// long.
+/// Returns whether the row can be extended to a new end: it passes near all ends of lines so far,
+/// does not turn back, and is not too long. @param way travel from the start of the row to this end
 bool PixelRow::straight_on(const Way& way) const {
   const float so_far = way_.travel[leading_];
   const float reach = way.travel[leading_];

@@ -142,7 +142,8 @@ Position Welder::place_of(const Point& point) const {
   return place;
 }
 
-/// Returns the tolerance for the line that ends at a point.
+/// Returns the tolerance of the fit for the line that ends at a point, mm. It is the tolerance of
+/// the weld minus rounding and the distance of omitted positions.
 /// @param here the point in the frame of the fit
 float Welder::tolerance_of(const Point& point, const Vec3& here) const {
   constexpr float kMin = 1.0e-6F;

@@ -140,8 +140,8 @@ FacetContact::FacetContact(const Profile& profile,
   height_ = a.z() - contact.height;
   const double twice = first.x() * second.y() - first.y() * second.x();
   const double sign = twice < 0.0 ? -1.0 : 1.0;
-  // Each product with one of these vectors is the share of the corner b or c at a point, times
-  // `whole_`.
+  // The scalar products of these vectors with the vector from `a` to a point are the barycentric
+  // shares of b and c at this point, times `whole_`.
   inwards_[0] = sign * Eigen::Vector2d{second.y(), -second.x()};
   inwards_[1] = sign * Eigen::Vector2d{-first.y(), first.x()};
   whole_ = std::abs(twice);
