@@ -206,9 +206,9 @@ void Execution::store(Position& place, const Position& value) {
   offsets_changed_ = true;
 }
 
-/// Handles G28 and G30: a rapid to the stored position. With axis words, all axes
-/// first go to the position that these words give. Then only the axes of these words go to the
-/// stored position.
+/// Handles G28 and G30: a rapid to the stored position. With axis words, the machine first moves to
+/// the position that these words give. Then only the axes of these words move to the stored
+/// position.
 Refusal Execution::go_to_stored_place() {
   const NonModal word = block_.non_modal();
   if (word != NonModal::kGoToG28 && word != NonModal::kGoToG30) return std::nullopt;

@@ -124,7 +124,7 @@ struct Fault {
   char letter = ' ';  ///< Letter of the word at fault; ' ' if there is no such word.
   /// Column of the word in bytes, from 1; 0 if no word is at fault.
   std::uint16_t column = 0;
-  float value = 0.0F;  ///< Value of the word, or the deviation in mm.
+  float value = 0.0F;  ///< Number of the word, or the value that is wrong.
   float limit = 0.0F;  ///< Limit with which `value` was compared.
 
   [[nodiscard]] ErrorCode code() const;

@@ -11,9 +11,9 @@
 namespace cnc::path {
 namespace {
 
-/// Allowance for ends, which are rounded to nanometres, and for single precision, mm.
+/// Allowance for the rounding of ends to nanometres and for the rounding of single precision, mm.
 constexpr float kRoundingMm = 3.0e-6F;
-// Allowance for single precision as a share of the trim.
+// Additional allowance for single precision as a share of the trim.
 constexpr float kRelativeRounding = 4.0e-7F;
 
 /// Greatest angle, in radians, by which an arc next to a corner may turn within the trim. Up to

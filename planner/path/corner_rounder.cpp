@@ -12,7 +12,7 @@ namespace {
 /// rounding.
 constexpr float kMinDivided = 1.0e-3F;
 
-/// Allowance for ends, which are rounded to nanometres, mm.
+/// Allowance for the rounding of ends to nanometres, mm.
 constexpr float kRoundedEndMm = 1.5e-6F;
 
 /// Share of the element after a corner by which the corner may exceed its allowance, if this uses
@@ -202,7 +202,7 @@ void CornerRounder::give_blend(const Blend& blend,
 
 /// Appends the rest of an element to the settled pieces.
 /// @param end end of this rest
-/// @param left_mm length of this rest; negative for everything that is left of the element
+/// @param left_mm length of this rest; negative for the complete rest of the element
 void CornerRounder::give_rest(const HeldItem& held, const Position& end, float left_mm) {
   motion::MotionRequest& request = begin_giving(held);
   const PathElement& whole = held.item.request.element;

@@ -9,9 +9,9 @@
 namespace cnc::path {
 namespace {
 
-/// Allowance for ends, which are rounded to nanometres, and for single precision, mm.
+/// Allowance for the rounding of ends to nanometres and for the rounding of single precision, mm.
 constexpr float kRowRoundingMm = 3.0e-6F;
-// Allowance for single precision as a share of the distance from the start of the row.
+// Additional allowance for single precision as a share of the distance from the start of the row.
 constexpr float kRelativeError = 3.0e-7F;
 
 bool can_be_gathered(const PathItem& item) {

@@ -10,9 +10,9 @@
 namespace cnc::path {
 namespace {
 
-/// Allowance for ends, which are rounded to nanometres, and for single precision, mm.
+/// Allowance for the rounding of ends to nanometres and for the rounding of single precision, mm.
 constexpr float kPointRoundingMm = 3.0e-6F;
-// Allowance for single precision as a share of the distance from the start of the fit.
+// Additional allowance for single precision as a share of the distance from the start of the fit.
 constexpr float kPointRelativeError = 6.0e-7F;
 /// Least tolerance of a weld, mm. Below a tenth of a micrometre, there is only rounding.
 constexpr float kMinToleranceMm = 1.0e-4F;

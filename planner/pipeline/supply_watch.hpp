@@ -8,11 +8,11 @@ namespace cnc {
 /// Measures the time since the last element came, and the time for which elements have been held
 /// back.
 ///
-/// A sender with more elements sends them within a few milliseconds. Until then the last elements
-/// are held back, because later elements decide how they are welded and rounded.
+/// If the sender has further elements, it sends them within a few milliseconds. During this time,
+/// the last elements are held back, because later elements decide how they are welded and rounded.
 class SupplyWatch {
  public:
-  /// Restarts the measurement of silence, because an element has come.
+  /// Restarts the measurement of the time since the last element, because an element has come.
   void restart() { silence_us_ = 0; }
   /// Adds the time that has passed. @param holds whether elements are held back
   void pass(std::int32_t elapsed_us, bool holds) {
