@@ -9,9 +9,9 @@
 
 namespace cnc::surface {
 
-/// Heights at which a tool that descends along Z first touches parts of a surface. The functions
-/// are the inverse tool of paper 4, for any tool of a Profile, on points, edges and facets. All
-/// lengths are in mm, and a height is the height of the tool's tip.
+/// Heights at which a tool that descends along Z first touches points, edges and facets of a
+/// surface. They are the heights that the inverse tool of paper 4 gives, for any tool of a Profile.
+/// All lengths are in mm, and a height is the height of the tool's tip.
 
 /// Height if the tool touches nothing.
 inline constexpr double kNoContact = -std::numeric_limits<double>::infinity();
