@@ -11,7 +11,8 @@ namespace cnc::compensation {
 namespace {
 
 /// Greatest distance of a swallowed element from the point where the path is cut, as a multiple of
-/// the offset. At a corner of 30 degrees the offset of a line loses no more than this length.
+/// the offset. Even at a corner with 30 degrees between its sides, the offset of a line loses less
+/// than this length.
 constexpr float kReach = 4.0F;
 
 }  // namespace
@@ -24,8 +25,8 @@ void OffsetChain::begin(const Position& start, Plane plane, float distance_mm) {
   trouble_.reset();
 }
 
-/// Returns an element as a curve. If the entry goes around the corner at its end, its end tangent
-/// is the tangent with which it reaches the circle about the corner.
+/// Returns an element as a curve. If the element is an entry that goes around the corner at its
+/// end, the end tangent is the one with which the entry reaches the circle about the corner.
 Curve OffsetChain::own_curve(std::size_t index, const Place& origin) const {
   Curve own = path_.curve(index, origin);
   if (path_.is_entry(index) && entry_rounds_) own.end_tangent = entry_tangent_;
@@ -243,7 +244,7 @@ void OffsetChain::fail(Reason reason, Name before, std::size_t index, std::size_
 }
 
 /// Returns whether both ends of an element are near the point `cut`. Then the element is a detail
-/// of the corner at that point, and not a slot.
+/// of the corner at this point and may be swallowed. Otherwise it belongs to a narrow slot.
 bool OffsetChain::is_beside(const Vec2& cut, const Place& origin, std::size_t index) const {
   const float reach = kReach * std::abs(distance_);
   return (HeldPath::from(origin, path_.start_of(index)) - cut).norm() <= reach &&

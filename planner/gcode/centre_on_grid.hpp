@@ -11,7 +11,8 @@ namespace cnc::gcode {
 
 /// A centre relative to the start of its arc, in tenths of the last printed digit of a position. If
 /// centres had only the digits of positions, some half turns would have no exact centre. The ends
-/// of such a half turn are an odd number of last digits apart, so its two radii would differ by 1.
+/// of such a half turn are an odd number of units of this digit apart, so its two radii would
+/// differ by one unit.
 struct GridCentre {
   std::int64_t x = 0;
   std::int64_t y = 0;

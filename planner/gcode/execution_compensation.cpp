@@ -55,7 +55,7 @@ kerf::Condition kerf_condition(const ModalState& modal, const Options& options) 
 }
 
 /// Refuses, between G41 or G42 and G40, words that stop the machine or move it away from the path.
-/// A stop is impossible there, because the end of an element is known only after the next element.
+/// A stop is impossible there, because the end of an element's offset depends on the next element.
 Refusal Execution::check_compensated_words() {
   if (context_.modal.compensation.side == CutterSide::kOn) return std::nullopt;
   constexpr std::array<ModalGroup, 4> kStandstill{

@@ -47,7 +47,7 @@ class LineReader {
 
   /// Reads the word at the present index and advances to the next word.
   [[nodiscard]] Refusal read(Word& word);
-  /// Passes a / after the N word that was read last. The effect is the same as in begin().
+  /// Skips a / after the N word that was read last. The effect is the same as in begin().
   [[nodiscard]] Refusal pass_slash_after_number(bool block_delete) {
     return at('/') ? pass_slash(block_delete) : std::nullopt;
   }

@@ -71,8 +71,8 @@ enum class Output : std::uint8_t {
   kAnalog,            ///< M68
 };
 
-/// The use that a word makes of the X Y Z A B C words of its line. There can be only one such use,
-/// so a line has at most one word that uses them.
+/// The purpose for which a G word uses the X Y Z A B C words of its line. They have only one
+/// purpose in a line, so a line has at most one G word that uses them.
 enum class AxisUse : std::uint8_t { kNone, kMotion, kPlaces, kToolLength };
 
 /// A G or M word that the interpreter knows.

@@ -22,9 +22,9 @@ enum class WriterError : std::uint8_t {
 };
 
 /// Writes motion as G-code in mm, with absolute positions and with centres relative to the start of
-/// the arc. Printed positions differ from the given ones by at most one last digit. Centres have
-/// one more digit than positions. So the radii at both ends of an arc agree within a fraction of a
-/// digit, and the reader does not have to repair the arc.
+/// the arc. Printed positions differ from the given ones by at most one unit of the last digit.
+/// Centres have one more digit than positions. So the radii at both ends of an arc agree within a
+/// fraction of this unit, and the reader does not have to repair the arc.
 ///
 /// Positions are in the XY plane and heights along Z, until use_plane() selects another plane. Then
 /// a position gives the first and the second axis of that plane, and a height is along its normal.
@@ -62,9 +62,9 @@ class ProgramWriter {
 
   /// Writes a G1, G2 or G3. The motion is a line if the bulge is 0. Otherwise it is an arc of less
   /// than a full turn with the bulge tan(sweep / 4). An arc of more than half a turn is written as
-  /// two arcs. An arc whose sagitta is below a quarter of a last digit is written as a line. The
-  /// height changes in proportion to the length.
-  /// @pre `from` is the end of the last motion, within half a last digit
+  /// two arcs. An arc whose sagitta is below a quarter of a unit of the last digit is written as a
+  /// line. The height changes in proportion to the length.
+  /// @pre `from` is the end of the last motion, within half a unit of the last digit
   template <std::floating_point Scalar>
   [[nodiscard]] Result<std::string_view, WriterError> cut(const BasicVec2<Scalar>& from,
                                                           const BasicVec2<Scalar>& to,
@@ -100,8 +100,9 @@ class ProgramWriter {
   LineText text_{};
   std::optional<GridPlace> place_{};
   int motion_ = kNoMotion;
-  std::optional<std::int32_t> height_{};  ///< Height at the end of the next motion, in last digits.
-  /// Last height that was written, in last digits; empty before the first one.
+  /// Height at the end of the next motion, in units of the last printed digit.
+  std::optional<std::int32_t> height_{};
+  /// Last height that was written, in units of the last printed digit; empty before the first one.
   std::optional<std::int32_t> written_height_{};
   std::uint32_t feed_ = 0;
   std::uint32_t power_ = 0;

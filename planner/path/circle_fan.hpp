@@ -33,7 +33,7 @@ struct FanCircle {
 /// where Q_y² + Q_z² = Q². The two terms between bars are the components of a vector. That vector
 /// is twice the distance vector from p to the plane of the circle and, within that plane, to the
 /// circle. There, Q is measured from the far side of the circle. Subtracting the multiple of the
-/// direction only makes it longer.
+/// direction only makes the vector longer.
 class CircleFan {
  public:
   /// Greatest magnitude of the slope, which corresponds to 31°.

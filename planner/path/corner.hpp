@@ -53,8 +53,8 @@ struct Corner {
 /// the smaller one of the tolerances of the two elements. A rapid is blended only with a rapid.
 /// Motion with a fixed feed (jogs, homing) is not blended.
 ///
-/// The blend is only as large as the feed of its elements requires on this machine, computed for
-/// twice the feed.
+/// The blend is only as large as this machine requires for twice the feed of the elements, which is
+/// the greatest override.
 /// @param corner receives the result
 void examine(const PathItem& before,
              const PathItem& after,

@@ -15,9 +15,9 @@ constexpr float kMinDivided = 1.0e-3F;
 /// Allowance for the rounding of ends to nanometres, mm.
 constexpr float kRoundedEndMm = 1.5e-6F;
 
-/// Share of the element after a corner by which the corner may exceed its allowance, if this uses
-/// up the element before it. Without this, edges of nearly equal length would leave lines between
-/// their arcs that are too short to be useful.
+/// Share of the element after a corner by which the corner may exceed its allowance, if it then
+/// uses up the element before the corner. Without this share, edges of nearly equal length would
+/// leave lines between their arcs that are too short to be useful.
 constexpr float kMoreThanHalf = 0.03125F;
 
 motion::Joint joint_at(const Corner& corner) {

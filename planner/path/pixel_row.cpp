@@ -30,8 +30,8 @@ void PixelRow::begin(const PathItem& item) {
   CNC_ASSERT(empty());
   item_ = item;
   held_ = true;
-  // If the row before was closed because it was full, this row continues it. Then this row counts
-  // as graded if that row had several powers.
+  // If the previous row was closed because it was full, the new row continues it. Then the new row
+  // counts as graded if the previous row had several powers.
   graded_ = graded_ && full_;
   full_ = false;
   has_pixels_ = false;

@@ -175,7 +175,7 @@ void Welder::begin_fit() {
 }
 
 /// Chooses the plane of the fit. The plane of the previous fit is kept if it contains `way` and the
-/// direction, too. Otherwise another coordinate plane is chosen, or none.
+/// direction `ahead_`, too. Otherwise a coordinate plane that contains both is chosen, or none.
 void Welder::choose_plane(const Vec3& way) {
   const auto lies_in = [&](Plane plane) {
     const auto normal = static_cast<int>(axes_of(plane).normal);
@@ -188,8 +188,8 @@ void Welder::choose_plane(const Vec3& way) {
 
 /// Returns whether the fit may include the next point. The distance from the start must grow, so
 /// that no point is beyond the end of the arc. A short line may go in any direction as long as the
-/// circles pass its end. The reason is that programs on a grid, and offsets, contain small sideward
-/// steps that are not part of the curve.
+/// circles pass its end. The reason is that programs with points on a grid, and offset paths,
+/// contain small sideward steps that are not part of the curve.
 bool Welder::goes_on(const Vec3& here, const Vec3& chord) const {
   if (plane_ && here.z() != 0.0F) return false;
   if (points_fitted_ == 0 || is_short(chord.norm())) return true;

@@ -55,8 +55,9 @@ double place_on_corner(const Section& section, double slope, double begin, doubl
   return most - width * square(root);
 }
 
-/// Finds the point where the section rises as steeply as the line: there the line is highest above
-/// the section. Returns `most` mm, or more, if the section has no such slope.
+/// Finds the point where the section rises as steeply as the line: there the height of the line
+/// minus the height of the section is greatest. Returns `most` mm, or more, if the section has no
+/// such slope.
 /// @pre slope > 0
 double place_of_slope(const Section& section, double slope, double most) {
   const Profile& profile = section.profile;
