@@ -36,8 +36,8 @@ Refusal Execution::read_tool_length(ToolLength word, Coordinate& length) {
   return check_range(FaultDetail::kOffsetOutOfRange, index_of(Axis::kZ), length);
 }
 
-/// Begins or ends G43.4. The machine is at rest before and after the change, and the position of
-/// its axes gets another meaning. So no other word of the line may give positions.
+/// Begins or ends G43.4. The machine is at rest before and after the change, which gives positions
+/// in the program another meaning. So no other word of the line may give positions.
 Refusal Execution::switch_tool_centre(bool on) {
   if (on && !options_.five_axes) {
     return block_.blame(FaultDetail::kNotFiveAxes, ModalGroup::kToolLength);

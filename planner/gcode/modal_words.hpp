@@ -84,7 +84,7 @@ struct ModalWord {
   [[nodiscard]] AxisUse axis_use() const;
 };
 
-/// Return the known G or M word with this number, or a fault. The word is a constant.
+/// Return the known G or M word with this number, or a fault. The pointer refers to a constant.
 [[nodiscard]] Result<const ModalWord*, FaultDetail> find_g_word(const Decimal& number);
 [[nodiscard]] Result<const ModalWord*, FaultDetail> find_m_word(const Decimal& number);
 

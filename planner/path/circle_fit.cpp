@@ -10,7 +10,7 @@ FitFrame frame_in_space(const Vec3& ahead, const Vec3& towards) {
   /// Share of the tolerance in the plane of the bend. It is large, because a curve that bends in
   /// one direction leaves its plane only a little.
   constexpr float kLeftShare = 0.9F;
-  /// Share of the tolerance across this plane.
+  /// Share of the tolerance perpendicular to this plane.
   constexpr float kUpShare = 0.4358F;
   constexpr float kEvenShare = 0.7071F;
   constexpr float kMin = 1.0e-4F;

@@ -16,7 +16,7 @@ inline constexpr float kCrumbMm = 2.0e-5F;
 /// Treatment of the corner between two elements, and its shape if it can be rounded.
 struct Corner {
   enum class Kind : std::uint8_t {
-    kSmooth,  ///< The path does not change its direction there.
+    kSmooth,  ///< The path does not change its direction at the corner.
     kStop,    ///< The corner cannot be rounded: the machine stops there.
     kBlend,
   };

@@ -43,8 +43,8 @@ class ShortLines {
   void drop_still();
 
   const motion::Limits& limits_;
-  /// The settled items, and after them at most one short item. It is a short line, or several lines
-  /// that together are short.
+  /// The settled items, and after them at most one short item: a short line, or several joined
+  /// lines that together are short.
   std::array<PathItem, 2> items_{};
   std::size_t oldest_ = 0;
   std::size_t count_ = 0;

@@ -175,8 +175,8 @@ bool Pipeline::runs_dry() const {
   return distance <= reach;
 }
 
-/// Returns whether a block can be taken back. All pixels of a row must be available for that,
-/// because without them the power of the row is not known.
+/// Returns whether a block can be taken back. For a row, all its pixels must still be stored,
+/// because without them the power along the row is not known.
 bool Pipeline::can_take_back(const motion::Block& block) {
   return !block.row.any() || pixels_.take_back(block.row.first);
 }
