@@ -3,7 +3,7 @@
 
 namespace cnc::gcode {
 
-/// Handles G43.1, G43.4 and G49. The offset is along Z only, as in Grbl.
+/// Handles G43.1, G43.4 and G49. The tool length is an offset along Z only, as in Grbl.
 Refusal Execution::set_tool_length() {
   if (!block_.has(ModalGroup::kToolLength)) return std::nullopt;
   const auto word = block_.meaning<ToolLength>(ModalGroup::kToolLength);
