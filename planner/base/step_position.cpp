@@ -31,7 +31,8 @@ std::optional<StepPosition> AxisScale::steps_at(Coordinate place) const {
 
 std::optional<StepPosition> AxisScale::steps_of(float mm) const {
   constexpr float kQ16 = 65'536.0F;
-  constexpr float kFew = 16'384.0F;  // Greatest number of steps whose product fits into Q32.
+  // Number of steps up to which steps · 2^32 is within the range of truncated().
+  constexpr float kFew = 16'384.0F;
   constexpr auto kMax = static_cast<float>(kMaxSteps);
   const float steps = mm * steps_per_mm_;
   if (!(steps > -kMax && steps < kMax)) return std::nullopt;

@@ -8,8 +8,8 @@
 namespace cnc::compensation {
 namespace {
 
-/// Tolerance of the check that an entry arc makes at most half a turn. An entry that is too short
-/// for the offset turns by more.
+/// Tolerance, as a cosine, of the check that an entry arc makes at most half a turn. An entry that
+/// is too short for the offset turns by more.
 constexpr float kHalfTurn = 1.0e-4F;
 constexpr float kThirdOfATurn = -0.5F;  ///< Cosine of a third of a turn.
 
@@ -33,7 +33,8 @@ Curve OffsetChain::driven(std::size_t index, Kind kind) const {
   return way;
 }
 
-/// Returns the height below which edges need no check, because a rapid cuts nothing below its path.
+/// Returns the height below which edges need no check. A rapid cuts nothing below its lower end.
+/// For other motions, the height is so low that all edges are checked.
 Coordinate OffsetChain::air_below(const Position& start, const Position& end, bool rapid) const {
   const std::size_t normal = path_.axes().normal;
   return rapid ? std::min(start[normal], end[normal])

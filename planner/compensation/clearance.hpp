@@ -23,8 +23,8 @@ inline constexpr float kTolerance = 5.0e-5F;
 [[nodiscard]] float distance(const Curve& curve, const Vec2& place);
 
 /// Returns whether any point of one curve is nearer than `limit` mm to a point of the other curve.
-/// The result is exact to the last bit of the distances at the points that can be nearest: ends,
-/// meetings and points with parallel tangents.
+/// Only the points that can be nearest are compared: ends, meetings and points with parallel
+/// tangents. The result is exact except for the rounding of the distances there.
 [[nodiscard]] bool come_nearer(const Curve& a, const Curve& b, float limit);
 
 }  // namespace cnc::compensation

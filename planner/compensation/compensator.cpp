@@ -61,7 +61,7 @@ std::optional<Fault> Compensator::put(const path::PathItem& item) {
   const float y = (held.end[axes.second] - before[1]).mm();
   if (auto fault = refusal_of(item, std::sqrt(x * x + y * y))) return fault;
   programmed_ = request.element.end;
-  // An element this short has no direction. The next element begins at its start.
+  // An element of at most kTouch has no direction. The next element begins at its start.
   held.stands = std::max(std::abs(x), std::abs(y)) <= kTouch;
   if (held.stands) {
     held.bulge = 0.0F;

@@ -16,7 +16,8 @@ namespace cnc::compensation {
 /// offset from it, as lines and arcs.
 ///
 /// The first element is the entry, as in LinuxCNC. It is a line or an arc that is longer than the
-/// offset. It ends where the next element's offset begins, or at the intersection of both offsets.
+/// offset. It leads to the start of the next element's offset or, if both offsets intersect, to
+/// their intersection.
 /// An element is held until 16 elements after it are known, or until G40 reports that no element
 /// follows. Before an element is given out, its offset is compared with all edges among the known
 /// elements. So a path that cannot be cut is refused before the motion that would damage the part.
@@ -46,7 +47,8 @@ class Compensator {
 
   /// Returns whether a path has begun and not ended, or elements wait to be taken.
   [[nodiscard]] bool active() const { return active_; }
-  /// Returns whether the machine is offset from the programmed path: from end() until leave().
+  /// Returns whether the path has ended, but the machine is still offset from it: from end() until
+  /// leave().
   [[nodiscard]] bool beside() const { return beside_; }
   /// Returns whether put() may be called: no element waits to be taken.
   [[nodiscard]] bool has_room() const { return given_ == free_; }

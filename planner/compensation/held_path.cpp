@@ -58,9 +58,9 @@ bool HeldPath::discard(std::uint32_t end) {
   return changed;
 }
 
-/// Measures the rounding of the programmed coordinates. It is the greatest distance between an edge
-/// and the end points of elements that run along the edge. These elements are of the same kind as
-/// the edge: for example an overlap, or a tangent line from its middle.
+/// Measures the rounding of the programmed coordinates. It is the greatest distance between an
+/// element and the end points of other elements that run along it. Both are lines or both are arcs:
+/// for example, an edge and its overlap, or an edge and a tangent line from its middle.
 void HeldPath::measure_rounding() {
   for (std::size_t i = 0; i < size_; ++i) {
     if (at(i).stands) continue;

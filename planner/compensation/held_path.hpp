@@ -53,16 +53,16 @@ struct HeldElement {
 ///
 /// The first element is the entry. The entry and rapids are never edges. If the path returns to the
 /// start of an earlier element without a rapid in between, the elements from there on form a closed
-/// outline. Then up to kLead elements before the outline are its lead-in. Once the path has ended,
-/// up to twice as many elements after the outline are its overlap and lead-out. Leads are in the
-/// waste, and an overlap bounds nothing but the outline. Without a closed outline all other
-/// elements are edges. The first points of the path stay known when their elements are forgotten,
-/// so an outline of any length is recognized when it closes.
+/// outline. Then the elements before the outline are its lead-in, if they are at most kLead. Once
+/// the path has ended, the elements after the outline are its overlap and lead-out, if they are at
+/// most 2 kLead. Leads and overlaps are no edges: leads are in the waste, and an overlap repeats
+/// edges of the outline. All other elements are edges. The first points of the path stay known when
+/// their elements are forgotten, so an outline of any length is recognized when it closes.
 class HeldPath {
  public:
   /// Number of later elements that must be known before an element is given out.
   static constexpr std::size_t kLookAhead = 16;
-  /// Number of elements that are stored. An element that was given out stays stored while a few
+  /// Greatest number of stored elements. An element that was given out stays stored while a few
   /// more elements follow.
   static constexpr std::size_t kCapacity = kLookAhead + 3;
   /// Greatest number of elements in a lead, without the entry or exit motion.

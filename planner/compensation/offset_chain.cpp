@@ -11,7 +11,8 @@ namespace cnc::compensation {
 namespace {
 
 /// Greatest distance of a swallowed element from the point where the path is cut, as a multiple of
-/// the offset. At a corner of 30 degrees the offset of a line loses no more than this length.
+/// the offset. Even at a corner with 30 degrees between its sides, the offset of a line loses less
+/// than this length.
 constexpr float kReach = 4.0F;
 
 }  // namespace
@@ -24,8 +25,8 @@ void OffsetChain::begin(const Position& start, Plane plane, float distance_mm) {
   trouble_.reset();
 }
 
-/// Returns an element as a curve. If the entry goes around the corner at its end, its end tangent
-/// is the tangent with which it reaches the circle about the corner.
+/// Returns an element as a curve. If the element is an entry that goes around the corner at its
+/// end, the end tangent is the one with which the entry reaches the circle about the corner.
 Curve OffsetChain::own_curve(std::size_t index, const Place& origin) const {
   Curve own = path_.curve(index, origin);
   if (path_.is_entry(index) && entry_rounds_) own.end_tangent = entry_tangent_;
@@ -126,8 +127,8 @@ void OffsetChain::extend(std::size_t index) {
   if (stretch(join).exists) add_raw(join, true);
   const Name name{index, Kind::kParallel};
   add_raw(name, !concave);
-  // If the entry is too short to reach the intersection of both offsets, it leads to the start of
-  // this element's offset.
+  // If the entry is too short to reach the intersection of its offset and this element's offset, it
+  // leads to the start of this element's offset.
   Stretch& in = stretch({last, Kind::kParallel});
   Stretch& out = stretch(name);
   if (!path_.is_entry(last) || out.live || !has_raw(name)) return;
@@ -135,8 +136,8 @@ void OffsetChain::extend(std::size_t index) {
   out.live = in.live;
 }
 
-/// Returns the direction of the line that touches the circle about a corner. The line begins
-/// `length` mm before the corner, which is seen from there in the direction `direction`.
+/// Returns the direction of the line that touches the circle about a corner. From the beginning of
+/// the line, the corner is in the direction `direction`, at the distance `length` mm.
 /// @param side 1 for a path that arrives at the corner, −1 for a path that leaves it
 /// @pre length ≥ |distance()|
 Vec2 OffsetChain::round(const Vec2& direction, float length, float side) const {
@@ -243,7 +244,7 @@ void OffsetChain::fail(Reason reason, Name before, std::size_t index, std::size_
 }
 
 /// Returns whether both ends of an element are near the point `cut`. Then the element is a detail
-/// of the corner at that point, and not a slot.
+/// of the corner at this point and may be swallowed. Otherwise it belongs to a narrow slot.
 bool OffsetChain::is_beside(const Vec2& cut, const Place& origin, std::size_t index) const {
   const float reach = kReach * std::abs(distance_);
   return (HeldPath::from(origin, path_.start_of(index)) - cut).norm() <= reach &&
@@ -253,8 +254,9 @@ bool OffsetChain::is_beside(const Vec2& cut, const Place& origin, std::size_t in
 /// Returns whether a point that would be swallowed could be cut. Such a point is not too near to
 /// any element, and not next to the point `cut`, where the path is cut anyway.
 bool OffsetChain::could_be_cut(const Vec2& lost, const Vec2& cut, const Place& origin) const {
-  // The ends that are removed at a slight turn by the angle t count as clear. The length removed is
-  // t · |distance_|, and the allowance kTolerance is half of t times half of that length.
+  // At a turn by a slight angle t, the ends that are removed are t · |distance_| long. They are too
+  // near by t / 2 times half of that length. If this is at most kTolerance, is_clear() accepts
+  // them, although they need not be cut. `brief` is the greatest length of such ends.
   const float brief = 2.0F * std::sqrt(kTolerance * std::abs(distance_)) + kTouch;
   return (lost - cut).norm() > brief && is_clear(lost, origin, true);
 }

@@ -15,15 +15,15 @@ namespace cnc::compensation {
 /// is nowhere nearer to an edge than the offset. The raw curves in between are swallowed if they
 /// are within four offsets of that meeting.
 ///
-/// A straight entry leads to the end of its own offset. If its offset intersects the next element's
-/// offset, it leads to their intersection. If it is too short for that, it leads to the start of
-/// the next element's offset. If the corner at the entry's end belongs to an edge, and the entry
-/// would cut into it, the entry leads along a tangent of the circle about the corner. Then it leads
-/// around the corner. An arc as the entry ends with its programmed tangent.
+/// A straight entry leads to the end of its own offset. If this offset intersects the offset of the
+/// next element, the entry leads to their intersection. If the entry is too short to reach the
+/// intersection, it leads to the start of the next element's offset. If the entry would cut into an
+/// edge that begins at its end, it leads along a tangent of the circle about its end, and then
+/// around this corner. An arc as the entry ends with its programmed tangent.
 ///
-/// Only a bounded number of elements is known, and all checks hold among these elements. The
-/// computation is in single precision, relative to the element in question: errors are at most 5e-5
-/// mm where elements are up to 0.3 m long.
+/// Only a bounded number of elements is known, and all checks compare only these elements. The
+/// computation is in single precision, with coordinates relative to the element that is computed:
+/// errors are at most 5e-5 mm if elements are up to 0.3 m long.
 class OffsetChain {
  public:
   /// Begins a path. @param distance_mm signed offset, positive is to the right of the path; not 0

@@ -10,9 +10,9 @@
 
 namespace cnc::gcode {
 
-/// The actions that a line of G-code requires of the machine, one at a time, in the order of
-/// execution of RS274/NGC (NISTIR 6556, table 8). The interpreter determines the actions, and the
-/// receiver of the list executes them.
+/// Kinds of the actions that a line of G-code requires of the machine. The interpreter lists the
+/// actions of a line in the order of execution of RS274/NGC (NISTIR 6556, table 8). The receiver of
+/// the list executes them one after the other.
 enum class ActionKind : std::uint8_t {
   /// Straight motion to `end` at the greatest speed of the axes (G0, legs of G28/G30).
   kRapid,
@@ -47,7 +47,7 @@ enum class CutterSide : std::uint8_t {
 struct CutterCompensation {
   CutterSide side = CutterSide::kOn;
   bool by_kerf = false;  ///< G41, G42: the width is taken from the kerf table of the material.
-  /// Width of the whole cut, mm; D of G41.1 and G42.1.
+  /// Width of the cut from edge to edge, mm; D of G41.1 and G42.1.
   float width_mm = 0.0F;
   constexpr bool operator==(const CutterCompensation&) const = default;
 };
@@ -63,19 +63,19 @@ struct OutputChange {
   std::uint8_t number = 0;
   bool analog = false;
   bool with_motion = false;  ///< M62, M63, M67: the change happens at the start of the next motion.
-  float value = 0.0F;        ///< 0 or 1 for a digital output, or the analog Q value.
+  float value = 0.0F;        ///< 0 or 1 for a digital output, Q for an analog output.
 };
 
 /// The kind of a probe motion, in which G38.2…G38.5 differ.
 struct ProbeMode {
   /// True to move until contact (G38.2, G38.3); false to move until contact ends.
   bool towards_contact = true;
-  /// True if it is a fault that the probe does not change (G38.2, G38.4).
+  /// True if a probe that does not change until `end` is a fault (G38.2, G38.4).
   bool error_if_missed = true;
 };
 
-/// One action. Only the members that the comment on its kind names are used. All positions are
-/// machine coordinates: the interpreter has already added the offsets.
+/// One action. The comment on each ActionKind names the members that this kind uses. All positions
+/// are machine coordinates: the interpreter has already added the offsets.
 struct Action {
   ActionKind kind = ActionKind::kOffsets;
 
@@ -84,13 +84,13 @@ struct Action {
   /// converted to a speed.
   float feed = 0.0F;
 
-  // Members of kArc. The centre is the programmed one: the radii at the start and at the end may
-  // differ within the limit of repair, see geometry/arc_elements.hpp.
+  // Members of kArc. The centre is the programmed one, so the radii at the start and at the end may
+  // differ. ArcElements repairs the arc (geometry/arc_elements.hpp).
   Plane plane = Plane::kXY;
   /// Coordinates of the centre in the order of axes_of(plane).
   std::array<Coordinate, 2> centre{};
   bool clockwise = false;  ///< True for G2.
-  /// P: 1 is an arc of up to one full circle, each further 1 adds a full turn.
+  /// P: 1 for an arc of at most one full turn; each higher number adds a full turn.
   std::uint16_t turns = 1;
 
   /// kLine: values of S, each for an equal part of the line. Empty if S is constant over the line.

@@ -9,9 +9,9 @@
 
 namespace cnc::gcode {
 
-/// Greatest number of actions of one line. The first are S, T, M6, output, spindle, coolant,
-/// compensation and offsets. Two legs of G28, or a dwell and a motion, may follow. The last are a
-/// stop and a G40 before it.
+/// Greatest number of actions of one line: eight for S, T, M6, output, spindle, coolant,
+/// compensation and offsets, two for both legs of G28 or for a dwell and a motion, and two for a
+/// G40 and a stop.
 inline constexpr std::size_t kMaxActions = 12;
 
 /// The actions of one line. Each action is filled in the list itself, because an action is large:

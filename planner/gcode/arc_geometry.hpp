@@ -22,11 +22,12 @@ struct PlaneVector {
 /// Permitted distance of an arc's end from the circle through the arc's start.
 struct ArcTolerance {
   float absolute_mm = 0.05F;
-  float relative = 0.01F;  ///< Share of the radius.
+  float relative = 0.01F;  ///< Tolerance as a share of the radius.
 };
 
 /// Returns the greater one of the two tolerances, limited to 0.5 mm. The result is never stricter
-/// than the tolerance of Grbl 1.1, which is 0.005 mm, or 0.1 % of the radius up to 0.5 mm.
+/// than the tolerance of Grbl 1.1: the greater one of 0.005 mm and 0.1 % of the radius, limited to
+/// 0.5 mm.
 [[nodiscard]] float allowed_deviation(const ArcTolerance& tolerance, float radius_mm);
 
 /// Returns the difference of the radii at the two ends of an arc, | |end − centre| − |centre| |, in

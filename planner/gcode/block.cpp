@@ -149,7 +149,8 @@ Refusal Block::unused_word() const {
   return blame(FaultDetail::kUnused, leftmost(unused_));
 }
 
-/// Returns the letter of a set whose word is the first in the line. @pre `letters` is not empty
+/// Returns the letter of the leftmost value word among those with a letter of the set `letters`.
+/// @pre `letters` is not empty, and the line has a value of each of them
 char Block::leftmost(std::uint32_t letters) const {
   char found = ' ';
   std::uint16_t found_column = kLongestLineWithComments + 1;

@@ -25,9 +25,9 @@ class Block {
   /// arrays are large and the masks show which entries are valid.
   void clear();
 
-  /// Adds a word. Returns a fault if the word is unknown, repeated, negative or not whole. Returns
-  /// a fault, too, if the line already has a word of the same modal group or a word that uses the
-  /// axis words.
+  /// Adds a word. Returns a fault if the word is unknown or repeated, or if its letter does not
+  /// permit a negative or fractional number. Returns a fault, too, if an earlier word of the line
+  /// is of the same modal group, or if the word and an earlier word both use the axis words.
   [[nodiscard]] Refusal add(const Word& word);
   /// Adds another value of S. Returns a fault if the value is refused.
   [[nodiscard]] Refusal add_power(const Word& word);

@@ -9,22 +9,25 @@
 
 namespace cnc::gcode {
 
-/// A centre relative to the start of its arc, in tenths of the last printed digit of a position. On
-/// the grid of positions itself, some half turns would have no centre, namely those between
-/// positions that are an odd number of digits apart. Their two radii would differ by a whole digit.
+/// A centre relative to the start of its arc, in tenths of the last printed digit of a position. If
+/// centres had only the digits of positions, some half turns would have no exact centre. The ends
+/// of such a half turn are an odd number of units of this digit apart, so its two radii would
+/// differ by one unit.
 struct GridCentre {
   std::int64_t x = 0;
   std::int64_t y = 0;
 };
 
-/// Least radius of an arc, in last digits. A smaller arc would consist mainly of rounding errors.
+/// Least radius of an arc, in units of the last printed digit of a position. A smaller arc would
+/// consist mainly of rounding errors.
 inline constexpr int kMinRadiusOnGrid = 1;
 
 /// Returns the centre of an arc whose ends are on the grid. Empty if the centre is farther away
 /// than kFarthestCentre.
 ///
-/// In double precision both radii agree within 0.15 last digits. In single precision they agree
-/// within half a digit for radii of up to a million digits (writer_test.cpp tests random arcs).
+/// The radii at both ends agree within 0.15 units of the last printed digit in double precision. In
+/// single precision they agree within half a unit for radii of up to a million units
+/// (writer_test.cpp tests random arcs).
 /// Source of the bulge: planner/geometry/arc.hpp.
 /// @param chord vector from the start to the end of the arc
 /// @pre 0 < |bulge| ≤ 1

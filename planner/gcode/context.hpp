@@ -16,7 +16,7 @@ struct CubicExit {
 };
 
 /// All state that a line may change, except the stored positions. Each line changes a copy, which
-/// is dropped if the line is refused. The state is small enough for this.
+/// is dropped if the line is refused. The state is small enough to be copied for each line.
 struct Context {
   ModalState modal{};
   Shift shift{};

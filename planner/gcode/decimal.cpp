@@ -40,7 +40,7 @@ class Cursor {
     ++at_;
   }
 
-  /// Passes the character `wanted` if it is the next one. Returns whether it was.
+  /// Skips the next character after blanks if it is `wanted`. Returns whether it was `wanted`.
   bool take(char wanted) {
     skip_blanks();
     if (at_ == text_.size() || text_[at_] != wanted) return false;

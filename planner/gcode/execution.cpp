@@ -27,8 +27,8 @@ void adopt(const Block& block, ModalGroup group, Mode& mode) {
 }  // namespace
 
 /// Performs the steps of RS274/NGC table 8 in order. Outputs change in the same step as in
-/// LinuxCNC. All words that only set a mode are handled before these steps. Only F depends on this:
-/// as in Grbl, it is read in the units of its own line.
+/// LinuxCNC. All words that only set a mode are handled before these steps. This order matters only
+/// for F: as in Grbl, F is read in the units that its own line selects.
 Refusal Execution::run() {
   if (options_.changes_tool) {
     if (const auto fault = check_tool_change_words()) return fault;
@@ -42,8 +42,8 @@ Refusal Execution::run() {
       &Execution::set_spindle_speed,
       &Execution::select_tool,
   }};
-  // Steps for G and M words. Most lines have no such word except a motion word, and these lines
-  // omit the steps. This saves an eighth of the time of reading a line.
+  // Steps for G and M words other than motion words. Most lines have no such word and omit these
+  // steps, which saves time.
   static constexpr std::array<Step, 11> kByWord{{
       &Execution::change_tool,
       &Execution::set_output,
@@ -119,8 +119,8 @@ void Execution::set_modes() {
   offsets_changed_ = modal.coordinate_system != context_.modal.coordinate_system;
 }
 
-/// Refuses a negative P where P is a number. In G5, P is a length and may be negative. No other
-/// letter is a length in some lines and a number in others.
+/// Refuses a negative P, except in G5: there, P is the component of a vector and may be negative.
+/// No other letter may be negative in some lines and not in others, so `Block` checks the others.
 Refusal Execution::check_signs() {
   const bool length = next_.modal.motion == MotionMode::kCubicSpline;
   if (length || !block_.has('P') || !block_.value('P').is_negative()) return std::nullopt;

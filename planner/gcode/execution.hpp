@@ -20,8 +20,8 @@ namespace cnc::gcode {
 /// of actions changes before commit(). So if a step refuses the line, no earlier step has had an
 /// effect.
 ///
-/// Where RS274/NGC and Grbl 1.1 differ in the numbers or the order of checks, this class follows
-/// Grbl (gnea/grbl, gcode.c, steps 2 and 3).
+/// Where RS274/NGC and Grbl 1.1 differ in the order of checks or in the numbers of errors, this
+/// class follows Grbl (gnea/grbl, gcode.c, steps 2 and 3).
 class Execution {
  public:
   /// Makes the execution of `block`. All arguments must outlive it. @pre `actions` is empty
@@ -59,7 +59,7 @@ class Execution {
   /// Changes of the open NURBS that a line makes when it is committed.
   struct NurbsLine {
     bool begins = false;
-    std::size_t order = 0;  ///< 0 leaves the order unchanged.
+    std::size_t order = 0;  ///< New order of the NURBS; 0 leaves it unchanged.
     std::optional<float> first_weight{};
     std::optional<ControlPoint> point{};
   };

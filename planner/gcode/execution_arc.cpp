@@ -83,7 +83,7 @@ Refusal Execution::find_centre(PlaneVector end, PlaneVector& centre) {
   return check_end_on_circle(end, centre);
 }
 
-/// Returns whether the line has an offset along one of the plane's two axes.
+/// Returns whether the line has an I, J or K along one of the plane's two axes.
 bool Execution::has_centre_word() const {
   const PlaneAxes plane = axes_of(next_.modal.plane);
   return block_.has(kOffsetLetters[plane.first]) || block_.has(kOffsetLetters[plane.second]);

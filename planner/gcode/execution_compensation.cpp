@@ -55,7 +55,7 @@ kerf::Condition kerf_condition(const ModalState& modal, const Options& options) 
 }
 
 /// Refuses, between G41 or G42 and G40, words that stop the machine or move it away from the path.
-/// A stop is impossible there, because the end of an element is known only after the next element.
+/// A stop is impossible there, because the end of an element's offset depends on the next element.
 Refusal Execution::check_compensated_words() {
   if (context_.modal.compensation.side == CutterSide::kOn) return std::nullopt;
   constexpr std::array<ModalGroup, 4> kStandstill{
@@ -197,8 +197,8 @@ Refusal Execution::set_material() {
   return std::nullopt;
 }
 
-/// Returns whether the path is offset by a kerf and the line has no word that could end this. Such
-/// a path has one kerf, so power and speed must not change.
+/// Returns whether the path is offset by a kerf and the line has no word that could end the offset.
+/// The width of the kerf is then constant, so power and speed must not change.
 bool Execution::keeps_kerf() const {
   return context_.modal.compensation.by_kerf && !block_.has(ModalGroup::kCutterRadius);
 }

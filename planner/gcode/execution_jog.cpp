@@ -7,7 +7,7 @@ Refusal Execution::run_jog() {
   set_modes();
   next_.modal.motion = MotionMode::kLine;
   next_.modal.feed_mode = FeedMode::kUnitsPerMinute;
-  next_.modal.feed = 0.0F;  // Each jog must give its own feed.
+  next_.modal.feed = 0.0F;  // Each jog must give its own feed, so the present feed is cleared.
   if (const auto fault = check_signs()) return fault;
   if (const auto fault = number_line()) return fault;
   if (const auto fault = set_feed()) return fault;

@@ -5,8 +5,8 @@
 namespace cnc::gcode {
 namespace {
 
-/// Speed, in mm/s, at which even a motion through the whole range of positions takes less than a
-/// month.
+/// Speed, in mm/s, above which no motion is checked for its duration: even a motion through the
+/// complete range of positions takes less than a month.
 constexpr float kSlowMmPerS = 4.0F;
 
 constexpr bool is_arc(MotionMode mode) {
@@ -40,8 +40,8 @@ Refusal Execution::move() {
 }
 
 /// Returns whether the motion word only sets the mode. Senders restore the reported modes in one
-/// line that contains `G2 … F0`. Such a line gives mode and feed, and is complete. A line with only
-/// G1 is refused while no feed is set, as in Grbl.
+/// line that contains `G2 … F0`. Such a line gives mode and feed, and is accepted without axis
+/// words. A line with only G1 is refused while no feed is set, as in Grbl.
 bool Execution::only_sets_mode() const {
   if (block_.has_axis_word() || block_.has_arc_word()) return false;
   return block_.has('F') || next_.modal.feed > 0.0F ||

@@ -42,8 +42,8 @@ Refusal Execution::take_control_point() {
   return std::nullopt;
 }
 
-/// Reads the weight of the first control point, if the line has a P. When there is a second point,
-/// a P without X and Y is an unused word.
+/// Reads the weight of the first control point, if the line has a P. After the second control
+/// point, a P without X and Y is an unused word.
 Refusal Execution::weigh_first_point(NurbsLine& line) {
   const bool alone = line.begins || store_.spline.size() == 1;
   if (!alone || !block_.has('P')) return std::nullopt;

@@ -3,7 +3,7 @@
 
 namespace cnc::gcode {
 
-/// Handles G43.1, G43.4 and G49. The offset is along Z only, as in Grbl.
+/// Handles G43.1, G43.4 and G49. The tool length is an offset along Z only, as in Grbl.
 Refusal Execution::set_tool_length() {
   if (!block_.has(ModalGroup::kToolLength)) return std::nullopt;
   const auto word = block_.meaning<ToolLength>(ModalGroup::kToolLength);
@@ -36,8 +36,8 @@ Refusal Execution::read_tool_length(ToolLength word, Coordinate& length) {
   return check_range(FaultDetail::kOffsetOutOfRange, index_of(Axis::kZ), length);
 }
 
-/// Begins or ends G43.4. The machine is at rest before and after the change, and the position of
-/// its axes gets another meaning. So no other word of the line may give positions.
+/// Begins or ends G43.4. The machine is at rest before and after the change, which gives positions
+/// in the program another meaning. So no other word of the line may give positions.
 Refusal Execution::switch_tool_centre(bool on) {
   if (on && !options_.five_axes) {
     return block_.blame(FaultDetail::kNotFiveAxes, ModalGroup::kToolLength);
@@ -206,8 +206,9 @@ void Execution::store(Position& place, const Position& value) {
   offsets_changed_ = true;
 }
 
-/// Handles G28 and G30: a rapid to the stored position. With axis words, it first goes to the
-/// position that these words give. Then only the axes of these words go to the stored position.
+/// Handles G28 and G30: a rapid to the stored position. With axis words, the machine first moves to
+/// the position that these words give. Then only the axes of these words move to the stored
+/// position.
 Refusal Execution::go_to_stored_place() {
   const NonModal word = block_.non_modal();
   if (word != NonModal::kGoToG28 && word != NonModal::kGoToG30) return std::nullopt;

@@ -9,7 +9,7 @@ namespace {
 PlanePlace sum(const PlanePlace& a, const PlanePlace& b) { return {a.x + b.x, a.y + b.y}; }
 
 /// Distance by which the arcs that replace a spline may leave the hull of its control points, nm.
-/// This allowance is for the tolerance of the arcs.
+/// The spline itself stays inside the hull, but the arcs follow it only within a tolerance.
 constexpr Coordinate kBesideHull{100'000};
 
 }  // namespace
@@ -89,7 +89,8 @@ Refusal Execution::read_first_arm(PlanePlace& arm) {
   return std::nullopt;
 }
 
-/// Returns the vector that two words give. A word that is not in the line counts as 0.
+/// Returns the vector whose components are the words `first` and `second`. A word that is not in
+/// the line counts as 0.
 PlanePlace Execution::take_arm(char first, char second) {
   const auto length = [&](char letter) {
     const Decimal* const number = block_.take(letter);
@@ -121,7 +122,7 @@ Refusal Execution::append_spline(const Position& end) {
   action.spline = &store_.spline;
   action.feed = spline_speed();
   next_.position = end;
-  constexpr float kSlow = 1.0F;  // In mm/s. The duration of a faster spline is always permitted.
+  constexpr float kSlow = 1.0F;  // mm/s. A faster spline never takes too long.
   if (action.feed > kSlow) return std::nullopt;
   return check_duration(length_of(store_.spline), action.feed);
 }

@@ -150,8 +150,8 @@ class TextWriter {
   std::size_t size_ = 0;
 };
 
-/// Appends the value that `field` stands for. Returns false if it stands for none, as after a
-/// percent sign that is part of the text.
+/// Appends the value that the letter `field` stands for. Returns false if it stands for no value:
+/// then the percent sign before it is part of the text.
 bool put_field(TextWriter& text, char field, const Fault& fault) {
   switch (field) {
     case 'w':

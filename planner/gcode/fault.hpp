@@ -35,8 +35,8 @@ enum class ErrorCode : std::uint8_t {
   kValueTooLarge = 38,
 };
 
-/// The exact fault, of which several may have the same number in Grbl. Each fault has one number
-/// and one sentence, which are listed in fault.cpp in the order of this enum.
+/// The exact fault. Several faults may share one error number of Grbl. The number and the sentence
+/// of each fault are listed in fault.cpp in the order of this enum.
 enum class FaultDetail : std::uint8_t {
   kNotALetter,
   kForeignByte,
@@ -124,7 +124,7 @@ struct Fault {
   char letter = ' ';  ///< Letter of the word at fault; ' ' if there is no such word.
   /// Column of the word in bytes, from 1; 0 if no word is at fault.
   std::uint16_t column = 0;
-  float value = 0.0F;  ///< Value of the word, or the deviation in mm.
+  float value = 0.0F;  ///< Number of the word, or the value that is wrong.
   float limit = 0.0F;  ///< Limit with which `value` was compared.
 
   [[nodiscard]] ErrorCode code() const;

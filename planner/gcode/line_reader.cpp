@@ -117,8 +117,8 @@ Refusal LineReader::pass_slash(bool block_delete) {
   return skip_to_word();
 }
 
-/// Passes a line that begins with %. The text after % is the name of a program. A G word there is
-/// refused as a mistake, because it would not be executed.
+/// Skips a line that begins with %. The text after % is the name of a program. A G word in this
+/// text is refused as a mistake, because it would not be executed.
 Refusal LineReader::pass_percent() {
   const Fault not_alone = fault_here(FaultDetail::kPercentNotAlone);
   ++at_;

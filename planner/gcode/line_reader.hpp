@@ -47,14 +47,14 @@ class LineReader {
 
   /// Reads the word at the present index and advances to the next word.
   [[nodiscard]] Refusal read(Word& word);
-  /// Passes a / after the N word that was read last. The effect is the same as in begin().
+  /// Skips a / after the N word that was read last. The effect is the same as in begin().
   [[nodiscard]] Refusal pass_slash_after_number(bool block_delete) {
     return at('/') ? pass_slash(block_delete) : std::nullopt;
   }
 
   /// Returns whether a colon and another value of the last word follow.
   [[nodiscard]] bool at_more_values() const { return at(':'); }
-  /// Reads this other value into `word`, which keeps its letter, and advances. @pre
+  /// Reads the value after the colon into `word`, which keeps its letter, and advances. @pre
   /// at_more_values()
   [[nodiscard]] Refusal read_more(Word& word) { return read_value(word.letter, word); }
 

@@ -68,7 +68,7 @@ struct ModalState {
   DistanceMode arc_distance = DistanceMode::kIncremental;
   FeedMode feed_mode = FeedMode::kUnitsPerMinute;
   Units units = Units::kMillimetres;
-  std::uint8_t coordinate_system = 0;  ///< 0 is G54.
+  std::uint8_t coordinate_system = 0;  ///< Index; 0 is G54.
   PathControl path{};
   CutterCompensation compensation{};
   Material material{};
@@ -89,7 +89,7 @@ struct ModalState {
   constexpr bool operator==(const ModalState&) const = default;
 };
 
-/// Offsets of G92 and of the tool, which are added to the coordinate system in use.
+/// Offsets of G92 and of the tool, which are added to the origin of the coordinate system in use.
 struct Shift {
   Position g92{};            ///< Offset of G92; kept while G92.2 suspends it.
   bool g92_in_use = false;   ///< True from G92 or G92.3 until G92.1 or G92.2.
@@ -104,7 +104,8 @@ inline constexpr std::uint32_t kToolCount = kToolRows * kAxisCount;
 
 /// Positions and radii that stay after the end of a program. The firmware stores them in flash.
 struct StoredPlaces {
-  std::array<Position, kCoordinateSystemCount> systems{};  ///< Origins, in machine coordinates.
+  /// Origins of the coordinate systems, in machine coordinates.
+  std::array<Position, kCoordinateSystemCount> systems{};
   Position g28{};
   Position g30{};
   /// Radii of tools (G10 L1), in rows that are stored like positions. 0 means an unknown radius.

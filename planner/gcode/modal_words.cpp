@@ -98,8 +98,8 @@ constexpr std::array<ModalWord, 18> kMWords{{
     word(1900, kMaterial, 0),
 }};
 
-/// Numbers to which other controllers add decimals. So G49.1 is reported as unsupported, but G1.5
-/// as a number that should be whole.
+/// G numbers that have variants with decimals, here or on other controllers. So G49.1 is reported
+/// as unsupported, but G1.5 as a number that should be whole.
 constexpr std::array<std::uint32_t, 12> kKnownWithDecimals{
     5, 28, 30, 38, 41, 42, 43, 49, 61, 90, 91, 92};
 

@@ -25,10 +25,10 @@ enum class ModalGroup : std::uint8_t {
   kPathControl,       ///< G group 13, PathMode
   kStop,              ///< M group 4, Stop
   kOutput,            ///< M group 5, Output
-  kToolChange,        ///< M group 6, only M6: always 0
+  kToolChange,        ///< M group 6, only M6: meaning 0
   kSpindle,           ///< M group 7, SpindleMode
   kCoolant,           ///< M group 8, CoolantWord
-  kMaterial,          ///< No standard group, only M190: always 0
+  kMaterial,          ///< No standard group, only M190: meaning 0
 };
 
 inline constexpr std::size_t kModalGroupCount = 17;
@@ -71,8 +71,8 @@ enum class Output : std::uint8_t {
   kAnalog,            ///< M68
 };
 
-/// The use that a word makes of the X Y Z A B C words of its line. There can be only one such use,
-/// so a line has at most one word that uses them.
+/// The purpose for which a G word uses the X Y Z A B C words of its line. They have only one
+/// purpose in a line, so a line has at most one G word that uses them.
 enum class AxisUse : std::uint8_t { kNone, kMotion, kPlaces, kToolLength };
 
 /// A G or M word that the interpreter knows.
@@ -84,7 +84,7 @@ struct ModalWord {
   [[nodiscard]] AxisUse axis_use() const;
 };
 
-/// Return the G or M word with a number. The pointer is to a constant.
+/// Return the known G or M word with this number, or a fault. The pointer refers to a constant.
 [[nodiscard]] Result<const ModalWord*, FaultDetail> find_g_word(const Decimal& number);
 [[nodiscard]] Result<const ModalWord*, FaultDetail> find_m_word(const Decimal& number);
 

@@ -37,10 +37,10 @@ struct Options {
   float full_power_speed = 1000.0F;  ///< S at the beam's greatest power, $30.
   /// Greatest power of the beam, mW; 0 if it is not known.
   std::uint32_t greatest_power_mw = 0;
-  /// A day. For a longer dwell, P was probably meant in milliseconds.
+  /// Greatest duration of a dwell: one day. A longer P was probably meant in milliseconds.
   float longest_dwell_s = 86'400.0F;
-  /// Greatest duration of a motion: 30 days. A longer motion is a mistake in F or, in G93, in its
-  /// unit.
+  /// Greatest duration of a motion: 30 days. A longer motion is a mistake in F or, in G93, in the
+  /// unit of F.
   float longest_motion_s = 2'592'000.0F;
 };
 

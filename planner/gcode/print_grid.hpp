@@ -21,8 +21,9 @@ struct GridPlace {
 /// The number of digits after the point of a printed position.
 class PrintGrid {
  public:
-  /// Bounds of the number of digits. With fewer digits, small arcs would exceed Grbl's tolerance of
-  /// 5 µm. Grbl reads eight digits in total, so with more digits it would drop some.
+  /// Bounds of the number of digits. With fewer digits, rounded ends of small arcs would exceed
+  /// Grbl's tolerance of 5 µm. Grbl reads at most eight digits of a number and would drop further
+  /// digits.
   static constexpr std::uint8_t kFewest = 3;
   static constexpr std::uint8_t kMax = 5;
 
@@ -32,7 +33,7 @@ class PrintGrid {
   }
 
   [[nodiscard]] constexpr std::uint8_t decimals() const { return decimals_; }
-  /// Returns the number of last digits per millimetre.
+  /// Returns the number of units of the last printed digit in a millimetre.
   [[nodiscard]] constexpr std::int32_t per_mm() const {
     std::int32_t result = 1;
     for (std::uint8_t i = 0; i < decimals_; ++i) result *= 10;
@@ -43,12 +44,12 @@ class PrintGrid {
   std::uint8_t decimals_;
 };
 
-/// Greatest distance of a position from zero, in last digits. This is 5 m with five decimals, and
-/// 500 m with three. So the difference of two positions fits into 32 bits.
+/// Greatest distance of a position from zero, in units of the last printed digit. This is 5 m with
+/// five decimals, and 500 m with three. So the difference of two positions fits into 32 bits.
 inline constexpr std::int32_t kFarthestOnGrid = 500'000'000;
 
-/// Greatest distance of a centre from the start of its arc, in tenths of a last digit. This is 10 m
-/// with five decimals, and 1 km with three, which is the limit of the reader.
+/// Greatest distance of a centre from the start of its arc, in tenths of the last printed digit.
+/// This is 10 m with five decimals, and 1 km with three, which is the limit of the reader.
 inline constexpr std::int64_t kFarthestCentre = 10'000'000'000;
 
 /// Returns the nearest whole number; a half is rounded away from zero. @pre |value| < 2^47

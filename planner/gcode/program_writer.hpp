@@ -22,9 +22,9 @@ enum class WriterError : std::uint8_t {
 };
 
 /// Writes motion as G-code in mm, with absolute positions and with centres relative to the start of
-/// the arc. Printed positions differ from the given ones by at most one last digit. Centres have
-/// one more digit than positions. So the radii at both ends of an arc agree within a fraction of a
-/// digit, and the reader does not have to repair the arc.
+/// the arc. Printed positions differ from the given ones by at most one unit of the last digit.
+/// Centres have one more digit than positions. So the radii at both ends of an arc agree within a
+/// fraction of this unit, and the reader does not have to repair the arc.
 ///
 /// Positions are in the XY plane and heights along Z, until use_plane() selects another plane. Then
 /// a position gives the first and the second axis of that plane, and a height is along its normal.
@@ -41,7 +41,7 @@ class ProgramWriter {
   void set_feed(std::uint32_t thousandths) { feed_ = thousandths; }
   void set_power(std::uint32_t thousandths) { power_ = thousandths; }
 
-  /// Omits S in all following lines. Used if S is the speed of a spindle.
+  /// Omits S in all following lines, because S would be the speed of a spindle.
   void leave_power() { power_ = written_power_ = 0; }
   /// Sets the height at the end of the next motion, in mm. Returns false and changes nothing if the
   /// height is NaN or its distance from zero exceeds kFarthestOnGrid. If this function is never
@@ -55,16 +55,16 @@ class ProgramWriter {
   [[nodiscard]] std::string_view use_plane(Plane plane);
   [[nodiscard]] Plane plane() const { return plane_; }
 
-  /// Writes a G0. A change of the height is a separate motion. It comes before the motion in the
-  /// plane if it is upwards, and after it if it is downwards. @pre the plane is XY
+  /// Writes a G0. A change of the height is a separate motion. An upward change comes before the
+  /// motion in the plane, and a downward change after it. @pre the plane is XY
   template <std::floating_point Scalar>
   [[nodiscard]] Result<std::string_view, WriterError> rapid(const BasicVec2<Scalar>& to);
 
   /// Writes a G1, G2 or G3. The motion is a line if the bulge is 0. Otherwise it is an arc of less
   /// than a full turn with the bulge tan(sweep / 4). An arc of more than half a turn is written as
-  /// two arcs. An arc whose sagitta is below a quarter of a last digit is written as a line. The
-  /// height changes in proportion to the length.
-  /// @pre `from` is the end of the last motion, within half a last digit
+  /// two arcs. An arc whose sagitta is below a quarter of a unit of the last digit is written as a
+  /// line. The height changes in proportion to the length.
+  /// @pre `from` is the end of the last motion, within half a unit of the last digit
   template <std::floating_point Scalar>
   [[nodiscard]] Result<std::string_view, WriterError> cut(const BasicVec2<Scalar>& from,
                                                           const BasicVec2<Scalar>& to,
@@ -86,7 +86,8 @@ class ProgramWriter {
   /// Adds the rapids to a position and to the height at the end of the motion.
   void add_rapids(GridPlace to);
   [[nodiscard]] bool is_at_height() const { return !height_ || height_ == written_height_; }
-  /// Returns the height in the middle of the motion, for the first of its two halves.
+  /// Returns the height in the middle of the motion, in units of the last printed digit. It is the
+  /// height at the end of the first part of a motion that is written as two.
   [[nodiscard]] std::optional<std::int32_t> half_way() const;
   /// Adds the G word if it changes, and those coordinates of the end that change.
   void add_motion(int motion, GridPlace to);
@@ -99,8 +100,9 @@ class ProgramWriter {
   LineText text_{};
   std::optional<GridPlace> place_{};
   int motion_ = kNoMotion;
-  std::optional<std::int32_t> height_{};  ///< Height at the end of the next motion, in last digits.
-  /// Last height that was written, in last digits; empty before the first one.
+  /// Height at the end of the next motion, in units of the last printed digit.
+  std::optional<std::int32_t> height_{};
+  /// Last height that was written, in units of the last printed digit; empty before the first one.
   std::optional<std::int32_t> written_height_{};
   std::uint32_t feed_ = 0;
   std::uint32_t power_ = 0;

@@ -20,7 +20,7 @@ class KerfCourse {
   static constexpr std::size_t kPoints = 33;
 
   /// Computes the course of a condition.
-  /// @param table sound; used only during the call
+  /// @param table a sound table, used only during the call
   /// @param condition programmed condition
   /// @return the reason why there is no kerf; then the course is constant 0
   [[nodiscard]] std::optional<Refusal> begin(const TableView<float>& table,

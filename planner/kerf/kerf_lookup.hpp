@@ -21,7 +21,7 @@ enum class RefusalReason : std::uint8_t {
 };
 
 /// Reason why there is no kerf, and the permissible range: the least and greatest value of the
-/// refused quantity, in its unit of Condition. Both values are 0 for kNoSpeed.
+/// refused quantity, in the unit that Condition has for it. Both values are 0 for kNoSpeed.
 struct Refusal {
   RefusalReason reason = RefusalReason::kThickness;
   std::uint32_t least = 0;

@@ -8,9 +8,9 @@
 
 namespace cnc::kerf {
 
-/// Unit of Q = P / V, by which λ1 is multiplied. The paper's printed numbers hold with the first
-/// unit, but physics suggests the second. The program must not guess, so each table states its
-/// unit.
+/// Unit of the heat input Q = P / V, by which λ1 is multiplied. The numbers that Park and Ahn 2007
+/// print hold with the first unit, but physics suggests the second. The program must not guess, so
+/// each table states its unit.
 enum class HeatUnit : std::uint8_t {
   kWattMinutesPerMillimetre = 0,  ///< Power P in W divided by speed V in mm/min, "as printed".
   kJoulesPerMillimetre = 1,       ///< Power P in W divided by speed V in mm/s.
@@ -33,8 +33,8 @@ struct Point {
   constexpr bool operator==(const Point&) const = default;
 };
 
-/// The speeds at which one power cuts one thickness well. If the linear law does not hold, it also
-/// refers to the measurements at these speeds.
+/// The speeds at which one power cuts one thickness well. In a row without a law, the band also
+/// refers to the kerfs that were measured at these speeds.
 struct Band {
   std::uint32_t power_mw = 0;
   std::uint32_t min_um_min = 0;
@@ -65,7 +65,7 @@ struct Row {
 
 /// The kerf of one material: rows, bands and points in memory that the table does not own. The
 /// memory may be constant in flash, bounded in RAM, or a host's vectors. The controller uses single
-/// precision.
+/// precision. A table is sound if find_fault() finds no fault in it.
 template <typename Real>
 struct TableView {
   std::string_view name{};
@@ -125,7 +125,7 @@ struct TableFault {
 [[nodiscard]] std::string_view describe(TableError error);
 
 /// Returns whether a name has a permitted length and only permitted characters. A name is printed
-/// in lines of text, between commas and brackets, so these characters are excluded.
+/// in lines of text, between commas and brackets, so it must not contain commas and brackets.
 [[nodiscard]] constexpr bool fits_name(std::string_view name) {
   if (name.empty() || name.size() > kLongestName) return false;
   if (name.front() == ' ' || name.back() == ' ') return false;

@@ -88,7 +88,7 @@ constexpr bool is_in_order(const TableView<Real>& table) {
 
 }  // namespace detail
 
-/// Returns the first fault of a table, or nothing if the table can be used for lookups. Checks
+/// Returns the first fault of a table, or nothing if the table is sound: usable for lookups. Checks
 /// everything on which lookups rely, so the memory may contain arbitrary values.
 template <typename Real>
 [[nodiscard]] constexpr std::optional<TableFault> find_fault(const TableView<Real>& table) {

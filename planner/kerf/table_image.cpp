@@ -84,7 +84,7 @@ class ImageWriter {
   std::size_t size_ = 0;
 };
 
-/// Numbers that follow the magic number in the head.
+/// Numbers that follow the magic number in the head of an image.
 struct Counts {
   std::size_t size = 0;
   std::uint32_t unit = 0;

@@ -25,14 +25,14 @@ enum class RotaryKind : std::uint8_t {
 /// axis (ISO 841), no matter whether the tool or the part turns. So on each kind of machine the
 /// direction from the tip into the tool is Rz(C) · Rx(A) · Z or Rz(C) · Ry(B) · Z.
 ///
-/// `tilt_point` and `turn_point` lie on the rotary axes while both axes are at 0 degrees, in mm.
-/// For a table they are machine coordinates: the position at which a tool of no length would have
-/// its tip at the point. For a head they are relative to the tip of a tool of no length. The
+/// `tilt_point` and `turn_point` are points on the rotary axes while both axes are at 0 degrees, in
+/// mm. For a table they are machine coordinates: the position at which a tool of no length would
+/// have its tip at the point. For a head they are relative to the tip of a tool of no length. The
 /// coordinate along the rotary axis itself has no effect.
 struct RotaryMachine {
   RotaryKind kind = RotaryKind::kNone;
   Axis tilting = Axis::kA;     ///< kA or kB.
-  bool tilt_reversed = false;  ///< Whether the axis counts in the opposite direction.
+  bool tilt_reversed = false;  ///< Whether the axis counts against the direction of ISO 841.
   bool turn_reversed = false;
   Vec3 tilt_point = Vec3::Zero();  ///< Point on the tilting axis.
   Vec3 turn_point = Vec3::Zero();  ///< Point on the turning axis.

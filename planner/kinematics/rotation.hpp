@@ -6,8 +6,8 @@
 
 namespace cnc::kinematics {
 
-/// A point on a path, mm, and its first and second derivatives with respect to the length of the
-/// path.
+/// A jet: a point on a path, mm, and its first and second derivatives with respect to the length of
+/// the path.
 struct PlaceJet {
   Vec3 place = Vec3::Zero();
   Vec3 first = Vec3::Zero();

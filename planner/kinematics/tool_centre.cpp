@@ -12,7 +12,7 @@ constexpr std::size_t kTurning = index_of(Axis::kC);
 constexpr std::size_t kTurnsAbout = 2;
 constexpr float kRadiansPerDegree = kPi / 180.0F;
 
-/// Returns a rotary position, which may be many turns, reduced to ±180 degrees, in degrees. Single
+/// Returns a rotary position in degrees, without its full turns: between −180 and 180. Single
 /// precision resolves angles well only in that range.
 float within_half_turn(Coordinate place) {
   constexpr std::int64_t kTurn = 360'000'000;
@@ -186,9 +186,10 @@ float ToolCentre::lever(const Position& place, float reach_mm) const {
   return machine_.kind == RotaryKind::kTables ? lever : lever + head;
 }
 
-// Bounds the derivatives of R(φ(s)) · u(s), where the magnitude of the first derivative of φ is at
-// most `rate`. On a circle of the given curvature, the magnitudes of the second and third
-// derivatives of φ are at most rate · curvature and rate · curvature².
+// Bounds the third derivative of R(φ(s)) · u(s) with respect to the length s of the path. Here u is
+// the vector from a rotary axis to the tip, and R is its rotation by the angle φ. The magnitude of
+// the first derivative of φ is at most `rate`. On a circle of the given curvature, the magnitudes
+// of the second and third derivatives of φ are at most rate · curvature and rate · curvature².
 float ToolCentre::third_derivative(float lever_mm, float rate, float curvature) {
   const float second = square(rate) + rate * curvature;
   const float third = rate * (square(rate) + 3.0F * rate * curvature + square(curvature));
@@ -196,7 +197,7 @@ float ToolCentre::third_derivative(float lever_mm, float rate, float curvature) 
 }
 
 std::uint32_t ToolCentre::parts_of(const Position& from, const Position& end) const {
-  // Greatest rotation on one part, in units of 1e-6 degrees.
+  // Greatest rotation of a rotary axis on one part of the path, in units of 1e-6 degrees.
   constexpr std::int64_t kMax = 4'000'000;
   if (!active()) return 1;
   const auto turn = [&](std::size_t axis) {

@@ -13,12 +13,12 @@ namespace cnc::kinematics {
 /// Computes the positions of the axes X Y Z of a five-axis machine from the position that a program
 /// gives to the tip of the tool.
 ///
-/// A position of the program is in machine coordinates of a machine whose rotary axes are at 0:
-/// there the positions of axes and program are equal. Rotary axes are always at the position that
-/// the program gives.
+/// A position of the program is the position of the axes at which the tip would be at the same
+/// point of the part if the rotary axes were at 0. So the positions of axes and program are equal
+/// while the rotary axes are at 0. Rotary axes are always at the position that the program gives.
 ///
-/// The computation is in single precision: for levers up to 500 mm a position is exact within 0.2
-/// µm.
+/// The computation is in single precision: a position is exact within 0.2 µm if the tip is at most
+/// 500 mm away from the rotary axes (lever()).
 class ToolCentre {
  public:
   /// Creates an object without rotary axes: the positions of axes and program are equal everywhere.

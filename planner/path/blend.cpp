@@ -32,8 +32,9 @@ PathElement arc_between(const Position& from,
 
 }  // namespace
 
-/// The bulges are computed from the rounded joint, as in ArcFit. So the blend has exactly the given
-/// directions at its ends, and the kink that results from rounding is at the joint.
+/// The bulges are computed from the joint after its rounding to nanometres, as in ArcFit. So the
+/// blend has exactly the directions of the legs at its ends, and the kink that results from
+/// rounding is at the joint.
 Blend make_blend(
     const Corner& corner, const Position& from, const Position& to, float trim_mm, bool in_halves) {
   Blend blend;

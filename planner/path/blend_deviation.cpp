@@ -14,16 +14,16 @@ constexpr float kNoBlend = 1.0e9F;
 
 /// Returns the distance of a point from a curve. The result is the distance from the tangent at a
 /// point of the curve, plus the distance by which the curve bends away from this tangent.
-/// @param offset vector from that point of the curve, which is near the nearest one, to the given
-/// point
+/// @param offset vector to the given point from a point of the curve that is nearly the nearest
+/// @param direction, curvature unit tangent and curvature, 1/mm, at this point of the curve
 float distance_beside(const AxisVector& offset, const AxisVector& direction, float curvature) {
   const float along = dot(offset, direction);
   const float across = std::sqrt(std::max(0.0F, dot(offset, offset) - along * along));
   return across + 0.5F * std::abs(curvature) * along * along;
 }
 
-/// A point of the path and the corresponding point of the blend. Each point is compared with the
-/// curve of the other point.
+/// A point of the path and the corresponding point of the blend, to compute the distance of the
+/// path's point from the blend and of the blend's point from the path.
 struct Abreast {
   AxisVector offset{};     ///< Vector from the path's point to the blend's point.
   AxisVector direction{};  ///< Direction of the path at its point.

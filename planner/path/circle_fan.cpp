@@ -21,7 +21,8 @@ void CircleFan::open(float max_curvature) {
   count_ = 4;
 }
 
-/// Keeps the circles with |weight · k + 2 x t − 2 y| ≤ 2 Q, where Q is `within_mm`.
+/// Keeps the circles of curvature k and slope t with |weight · k + 2 x t − 2 y| ≤ 2 Q, where (x, y)
+/// is `point` and Q is `within_mm`.
 void CircleFan::pass(const Vec2& point, float weight, float within_mm) {
   const float along = 2.0F * point.x();
   const float beside = 2.0F * point.y();
@@ -29,7 +30,7 @@ void CircleFan::pass(const Vec2& point, float weight, float within_mm) {
   keep(-weight, -along, 2.0F * within_mm - beside);
 }
 
-/// Keeps the circles with by_curvature · k + by_slope · t ≤ most.
+/// Keeps the circles of curvature k and slope t with by_curvature · k + by_slope · t ≤ most.
 void CircleFan::keep(float by_curvature, float by_slope, float most) {
   std::size_t beyond = 0;
   for (std::size_t i = 0; i < count_; ++i) {

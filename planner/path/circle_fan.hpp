@@ -9,9 +9,10 @@
 namespace cnc::path {
 
 /// A circle through the origin, given by its curvature and its direction at the origin. Both are
-/// divided by the cosine of the angle between that direction and +x.
+/// divided by the cosine of the angle between this direction and +x. So the direction is written as
+/// (1, slope).
 struct FanCircle {
-  float curvature = 0.0F;  ///< Curvature as above, 1/mm.
+  float curvature = 0.0F;  ///< Curvature, divided by the cosine, 1/mm.
   float slope = 0.0F;      ///< Slope of the tangent at the origin.
 };
 
@@ -32,7 +33,7 @@ struct FanCircle {
 /// where Q_y² + Q_z² = Q². The two terms between bars are the components of a vector. That vector
 /// is twice the distance vector from p to the plane of the circle and, within that plane, to the
 /// circle. There, Q is measured from the far side of the circle. Subtracting the multiple of the
-/// direction only makes it longer.
+/// direction only makes the vector longer.
 class CircleFan {
  public:
   /// Greatest magnitude of the slope, which corresponds to 31°.
@@ -49,8 +50,8 @@ class CircleFan {
   /// @param within_mm Q, or its component along y; at least 1e-6
   void pass(const Vec2& point, float weight, float within_mm);
 
-  /// Removes the circles with `along` + `beside` · t < 0, where t is the slope. With the
-  /// coordinates of a point, these are the circles that leave the origin away from this point.
+  /// Removes the circles with `along` + `beside` · t < 0, where t is the slope. If `along` and
+  /// `beside` are the coordinates of a point, these circles leave the origin away from this point.
   void keep_ahead(float along, float beside) { keep(0.0F, -beside, along); }
 
   /// The circles of the set through a point. They are all circles between the one with the lowest

@@ -10,6 +10,7 @@ FitFrame frame_in_space(const Vec3& ahead, const Vec3& towards) {
   /// Share of the tolerance in the plane of the bend. It is large, because a curve that bends in
   /// one direction leaves its plane only a little.
   constexpr float kLeftShare = 0.9F;
+  /// Share of the tolerance perpendicular to this plane.
   constexpr float kUpShare = 0.4358F;
   constexpr float kEvenShare = 0.7071F;
   constexpr float kMin = 1.0e-4F;
@@ -48,7 +49,8 @@ void CircleFit::pass(const Vec3& here, float within_mm) {
   const float chord_mm = chord.norm();
   if (chord_mm > chord_passed_) keep_near(last_, within_mm, chord_mm);
   keep_near(here, within_mm, 0.0F);
-  // Circles leave the start at a slope of at most kSteepest, so other points are ahead of them all.
+  // Circles leave the start at a slope of at most kSteepest. So if this condition is false, all
+  // circles leave the start towards `here`.
   const float beside = std::abs(here.y()) + std::abs(here.z());
   if (here.x() < CircleFan::kSteepest * beside) keep_ahead(here, within_mm);
   chord_passed_ = kAlike * chord_mm;
@@ -63,8 +65,9 @@ void CircleFit::keep_near(const Vec3& point, float within_mm, float chord_mm) {
 }
 
 /// Removes the circles that leave the start away from a point that is not within the tolerance of
-/// the start. A circle passes such a point only on the way that the path does not take. In space,
-/// each fan has its share of the condition: where both shares are fulfilled, so is the condition.
+/// the start. Such a circle passes the point only at the end of nearly a full turn, which the path
+/// does not take. In space, each fan has its share of the condition: if a circle satisfies both
+/// shares, it satisfies the condition.
 void CircleFit::keep_ahead(const Vec3& point, float within_mm) {
   if (point.squaredNorm() <= square(within_mm)) return;
   left_.keep_ahead(square(frame_.left_share) * point.x(), point.y());

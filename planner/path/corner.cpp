@@ -11,13 +11,13 @@
 namespace cnc::path {
 namespace {
 
-/// Allowance for ends, which are rounded to nanometres, and for single precision, mm.
+/// Allowance for the rounding of ends to nanometres and for the rounding of single precision, mm.
 constexpr float kRoundingMm = 3.0e-6F;
-// Allowance for single precision as a share of the trim.
+// Additional allowance for single precision as a share of the trim.
 constexpr float kRelativeRounding = 4.0e-7F;
 
-/// Greatest angle, in radians, by which an arc next to a corner may turn within the trim. Within
-/// this angle, the compared distances change smoothly.
+/// Greatest angle, in radians, by which an arc next to a corner may turn within the trim. Up to
+/// this angle, the distances that blend_deviation() samples change smoothly.
 constexpr float kMaxTurnOfLeg = 0.5F;
 
 /// Computes the geometry of a corner, and returns the plane in which the direction turns. Returns

@@ -5,9 +5,9 @@
 
 namespace cnc::path {
 
-/// Greatest distance of a rounded position from its curve, in mm, for elements of one curve. Then
-/// the greatest change of direction, in radians, that is attributed to this rounding.
+/// Greatest distance of a rounded position from its curve, in mm, for elements of one curve.
 inline constexpr float kRoundedPlaceMm = 1.2e-5F;
+/// Greatest change of direction, in radians, that is attributed to the rounding of positions.
 inline constexpr float kSmoothTurn = 0.02F;
 
 /// Length in mm below which distances and chords consist only of rounding to nanometres.
@@ -16,7 +16,7 @@ inline constexpr float kCrumbMm = 2.0e-5F;
 /// Treatment of the corner between two elements, and its shape if it can be rounded.
 struct Corner {
   enum class Kind : std::uint8_t {
-    kSmooth,  ///< The path does not change its direction there.
+    kSmooth,  ///< The path does not change its direction at the corner.
     kStop,    ///< The corner cannot be rounded: the machine stops there.
     kBlend,
   };
@@ -27,7 +27,7 @@ struct Corner {
   Leg after{};
   /// Angle from the direction before to the direction after, rad, positive to the left.
   float turn = 0.0F;
-  /// Greatest distance of the blend from the path and of the path from the blend, mm.
+  /// Greatest permitted distance of the blend from the path and of the path from the blend, mm.
   float tolerance_mm = 0.0F;
   float wish_mm = 0.0F;  ///< Trim that the corner requests of both neighbours, mm.
 
@@ -53,8 +53,8 @@ struct Corner {
 /// the smaller one of the tolerances of the two elements. A rapid is blended only with a rapid.
 /// Motion with a fixed feed (jogs, homing) is not blended.
 ///
-/// The blend is only as large as the feed of its elements requires on this machine, computed for
-/// twice the feed.
+/// The blend is only as large as this machine requires for twice the feed of the elements, which is
+/// the greatest override.
 /// @param corner receives the result
 void examine(const PathItem& before,
              const PathItem& after,

@@ -35,7 +35,9 @@ PlaneLimits limits_in(const ArcPlane& plane, const motion::Limits& limits) {
   return found;
 }
 
-/// Returns the share of the blend's time above which a stop takes less time than the blend.
+/// Returns the factor by which is_stop_sooner() multiplies 2 v / A, the time for braking to a stop
+/// and speeding up again; 1 without a limit of jerk.
+/// @param rise_s longest time in which an axis reaches its acceleration, s; 0 without jerk limits
 /// @param window_s window of time for a move from rest to rest over the shorter side, s
 float share_for(float rise_s, float window_s) {
   constexpr float kFall = 1.3F;

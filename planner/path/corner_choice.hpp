@@ -20,13 +20,13 @@ struct RoundedCorner {
 /// and A the acceleration. Let V be the speed that is reached next to the blend. The blend takes
 /// longer than the stop by
 ///   L / v − 2 v / A − (2 t − v² / A) / V,
-/// where the last term counts only if it is positive. If V is great, the difference is positive for
-/// turns of 115° or more.
+/// where (2 t − v² / A) / V counts only if it is positive. If V is great, the difference is
+/// positive for turns of 115° or more.
 ///
 /// Where jerk is limited, v is smaller. Also, a chain of moves with blends has a single window of
 /// time, while each move between stops has its own suitable window (WindowChoice). So with jerk,
-/// the stop is chosen if the difference exceeds a share of the blend's time. This share was fitted
-/// to simulated zig-zags, in which no choice costs more than some hundredths of the time.
+/// the comparison counts only a share of 2 v / A. This share was fitted to simulated zig-zags: no
+/// choice costs them more than some hundredths of the time.
 [[nodiscard]] bool is_stop_sooner(const Corner& corner,
                                   const RoundedCorner& rounded,
                                   const motion::Limits& limits);

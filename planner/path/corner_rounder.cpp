@@ -12,26 +12,26 @@ namespace {
 /// rounding.
 constexpr float kMinDivided = 1.0e-3F;
 
-/// Allowance for ends, which are rounded to nanometres, mm.
+/// Allowance for the rounding of ends to nanometres, mm.
 constexpr float kRoundedEndMm = 1.5e-6F;
 
-/// Share of the element after a corner by which the corner may exceed its allowance, if this uses
-/// up the element before it. Without this, edges of nearly equal length would leave lines between
-/// their arcs that are too short to be useful.
+/// Share of the element after a corner by which the corner may exceed its allowance, if it then
+/// uses up the element before the corner. Without this share, edges of nearly equal length would
+/// leave lines between their arcs that are too short to be useful.
 constexpr float kMoreThanHalf = 0.03125F;
 
 motion::Joint joint_at(const Corner& corner) {
   return corner.kind == Corner::Kind::kSmooth ? motion::Joint::kSmooth : motion::Joint::kStop;
 }
 
-/// Returns whether anything changes at the corner that must change exactly there. This includes
-/// pixels, which change along their whole row.
+/// Returns whether feed, beam or outputs change at the corner between two elements. They must
+/// change exactly there. A row of pixels counts as a change of the beam.
 bool differ(const motion::MotionRequest& a, const motion::MotionRequest& b) {
   return a.feed_mm_s != b.feed_mm_s || !(a.beam == b.beam) || a.row.any() || b.row.any() ||
          !(b.outputs == motion::OutputChanges{});
 }
 
-/// Holds an element from which no corner has taken any length.
+/// Sets `place` to an element from which no corner has taken any length yet.
 void hold(std::optional<HeldItem>& place, const PathItem& item, motion::Joint joint) {
   HeldItem& held = place.emplace();
   held.item = item;
@@ -79,7 +79,7 @@ void CornerRounder::put(const PathItem& item) {
   meet(item);
 }
 
-/// Returns the item before the next item, or null at the start of the path.
+/// Returns the item that was added last, or null at the start of the path.
 const PathItem* CornerRounder::newest() const {
   if (second_) return &second_->item;
   if (first_) return &first_->item;
@@ -202,7 +202,7 @@ void CornerRounder::give_blend(const Blend& blend,
 
 /// Appends the rest of an element to the settled pieces.
 /// @param end end of this rest
-/// @param left_mm length of this rest; negative for everything that is left of the element
+/// @param left_mm length of this rest; negative for the complete rest of the element
 void CornerRounder::give_rest(const HeldItem& held, const Position& end, float left_mm) {
   motion::MotionRequest& request = begin_giving(held);
   const PathElement& whole = held.item.request.element;

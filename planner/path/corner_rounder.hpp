@@ -20,7 +20,7 @@ struct HeldItem {
 /// Rounds the corners of a path, one element after the other.
 ///
 /// An element is held until both of its corners are settled, because the length that one corner may
-/// take depends on the length that the other requires. Each corner may take about half of the
+/// take depends on the length that the other one requires. Each corner may take about half of the
 /// element, and also the part that the other corner does not require. So the corners of a polygon
 /// that approximates a circle join near the middles of its edges. Then the machine drives the
 /// circle that touches all edges, without lines between its arcs.

@@ -19,8 +19,8 @@ struct Tolerance {
   float weld_mm = 0.0F;
 };
 
-/// Returns tolerances that together keep the whole path within `whole_mm`. Short lines have the
-/// tolerance of arcs, but at most half of the whole. Corners have the rest.
+/// Returns tolerances that together keep the whole path within `whole_mm`. The tolerance of short
+/// lines is `arc_mm`, but at most half of `whole_mm`. Corners have the rest.
 [[nodiscard]] constexpr Tolerance tolerance_within(float whole_mm, float arc_mm) {
   const float weld_mm = std::min(arc_mm, 0.5F * whole_mm);
   return {.corner_mm = whole_mm - weld_mm, .weld_mm = weld_mm};
@@ -33,7 +33,8 @@ struct PathItem {
   /// True if the element and the element before it are parts of one curve. Then a change of
   /// direction that the rounding of positions explains is no corner.
   bool continues = false;
-  /// Greatest distance of the omitted positions before the element from the element's start, mm.
+  /// Greatest distance between the element's start and the positions before it that were omitted
+  /// because their lines were too short, mm.
   float aside_mm = 0.0F;
 };
 

@@ -10,10 +10,10 @@
 
 namespace cnc::path {
 
-/// Converts the programmed path to the driven path. It joins a line that is shorter than a step to
-/// the next element. It gathers lines that continue in one direction, and welds short lines. It
-/// rounds corners or stops at them. Both paths are sequences of elements. Some elements are held
-/// until the elements after them are known.
+/// Converts the programmed path to the driven path. It joins a line that is shorter than half a
+/// step to the next element (ShortLines). It gathers lines in one direction (PixelRow), and welds
+/// short lines (Welder). It rounds corners or stops at them (CornerRounder). Both paths are
+/// sequences of elements. Some elements are held until the elements after them are known.
 ///
 /// Main loop only. Each call does a bounded amount of work.
 class PathStage {
@@ -29,8 +29,7 @@ class PathStage {
   /// before
   void put(const PathItem& item);
   /// Passes held elements to later stages if they are settled. Returns whether put_row() may be
-  /// called. If not, a later call may return true, when more of the held elements have been passed
-  /// on.
+  /// called. If not, a later call may return true, because it can pass on more held elements.
   /// @param pixels number of pixels of the row
   [[nodiscard]] bool takes_row(std::size_t pixels);
   /// Adds a line with several powers. @pre takes_row(), PixelRow::can_be_row(), and the line begins

@@ -9,9 +9,9 @@
 namespace cnc::path {
 namespace {
 
-/// Allowance for ends, which are rounded to nanometres, and for single precision, mm.
+/// Allowance for the rounding of ends to nanometres and for the rounding of single precision, mm.
 constexpr float kRowRoundingMm = 3.0e-6F;
-// Allowance for single precision as a share of the distance from the start of the row.
+// Additional allowance for single precision as a share of the distance from the start of the row.
 constexpr float kRelativeError = 3.0e-7F;
 
 bool can_be_gathered(const PathItem& item) {
@@ -30,8 +30,8 @@ void PixelRow::begin(const PathItem& item) {
   CNC_ASSERT(empty());
   item_ = item;
   held_ = true;
-  // If the row before was closed because it was full, this row continues it. Then this row counts
-  // as graded if that row had several powers.
+  // If the previous row was closed because it was full, the new row continues it. Then the new row
+  // counts as graded if the previous row had several powers.
   graded_ = graded_ && full_;
   full_ = false;
   has_pixels_ = false;
@@ -89,8 +89,8 @@ bool PixelRow::may_go_on(const motion::MotionRequest& next, bool same_power) con
          !for_welder;
 }
 
-/// Returns whether the row to a new end passes all ends so far, does not turn back, and is not too
-/// long.
+/// Returns whether the row can be extended to a new end: it passes near all ends of lines so far,
+/// does not turn back, and is not too long. @param way travel from the start of the row to this end
 bool PixelRow::straight_on(const Way& way) const {
   const float so_far = way_.travel[leading_];
   const float reach = way.travel[leading_];

@@ -10,10 +10,11 @@ namespace cnc::path {
 /// Joins short lines into one element if they continue in one direction and differ only in power.
 /// This element is a row, which has one pixel for each power.
 ///
-/// On each axis, the end of a line is at most kMaxAsideMm away from the row. If the power stays
-/// constant or if corners are exact stops, it is away by no more than the rounding of positions. So
-/// curves of constant power keep their shape, and rows in any direction may be written with three
-/// decimals. A row begins and ends at ends of programmed lines, so deviations do not accumulate.
+/// On each axis, the end of a line is at most kMaxAsideMm away from the row, so rows in any
+/// direction may be written with three decimals. If the power stays constant or if corners are
+/// exact stops, this distance is no more than the rounding of positions. So curves of constant
+/// power keep their shape. A row begins and ends at ends of programmed lines, so deviations do not
+/// accumulate.
 ///
 /// A row has at most kMaxLines lines and is at most kMaxRowMm long, so that the wait for its end is
 /// short. The next row begins at its end.
@@ -99,7 +100,8 @@ class PixelRow {
   bool full_ = false;
 
   std::size_t lines_ = 0;
-  bool graded_ = false;  ///< True if the row has more than one power.
+  /// True if the row has more than one power, or continues a full row that has.
+  bool graded_ = false;
   bool slopes_known_ = false;
   Way way_{};  ///< Travel from the start to the end of the row.
   std::size_t leading_ = 0;

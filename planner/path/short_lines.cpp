@@ -9,7 +9,8 @@ namespace cnc::path {
 namespace {
 
 /// Returns whether the element after a short line may begin at the start of that line. An arc must
-/// keep its own start, because its radius depends on it. Outputs require a motion.
+/// keep its own start, because its radius depends on it. Outputs of the short line require a
+/// motion, so the joined element must not end at its start.
 bool goes_with(const motion::MotionRequest& line, const motion::MotionRequest& next) {
   const bool comes_back = line.element.start == next.element.end;
   if (next.element.bulge != 0.0F || (comes_back && line.outputs.any())) return false;
@@ -61,8 +62,7 @@ void ShortLines::flush() {
   drop_still();
 }
 
-/// Drops the oldest item if it is a chain of lines that ends at its start, because it does not
-/// move.
+/// Drops the oldest item if it does not move. This happens if joined lines end at their start.
 void ShortLines::drop_still() {
   const PathElement& element = item_at(0).request.element;
   if (settled_ > 0 && element.start == element.end) forget_oldest();

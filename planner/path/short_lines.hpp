@@ -7,13 +7,13 @@
 
 namespace cnc::path {
 
-/// Joins lines that are shorter than half a step of each motor to the element after them: that
-/// element begins at the start of the short line. No motor can follow such a line, but each of its
-/// corners would nearly require a stop.
+/// Joins lines that are shorter than half a step of each motor to the element after them: this
+/// element then begins at the start of the short line. No motor can follow such a line, but each of
+/// its corners would nearly require a stop.
 ///
 /// So an element begins at most half a step of each motor away from its programmed start, and ends
 /// at its programmed end. Its tolerance is reduced by the distance between the two starts. A line
-/// is not changed if beam, feed or outputs change after it, or if it is the last line before a
+/// is not joined if beam, feed or outputs change after it, or if it is the last line before a
 /// pause.
 class ShortLines {
  public:
@@ -43,8 +43,8 @@ class ShortLines {
   void drop_still();
 
   const motion::Limits& limits_;
-  /// The settled items, and after them at most one short item. It is a short line, or several lines
-  /// that together are short.
+  /// The settled items, and after them at most one short item: a short line, or several joined
+  /// lines that together are short.
   std::array<PathItem, 2> items_{};
   std::size_t oldest_ = 0;
   std::size_t count_ = 0;

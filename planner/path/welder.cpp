@@ -10,24 +10,24 @@
 namespace cnc::path {
 namespace {
 
-/// Allowance for ends, which are rounded to nanometres, and for single precision, mm.
+/// Allowance for the rounding of ends to nanometres and for the rounding of single precision, mm.
 constexpr float kPointRoundingMm = 3.0e-6F;
-// Allowance for single precision as a share of the distance from the start of the fit.
+// Additional allowance for single precision as a share of the distance from the start of the fit.
 constexpr float kPointRelativeError = 6.0e-7F;
 /// Least tolerance of a weld, mm. Below a tenth of a micrometre, there is only rounding.
 constexpr float kMinToleranceMm = 1.0e-4F;
-/// Greatest length of a line that is welded, mm: a longer line is meant as a line. Greatest
-/// distance from the start of a fit, mm: beyond it, errors of single precision use up the
-/// tolerance.
+/// Greatest length of a line that is welded, mm: a longer line is meant as a line.
 constexpr float kLongestLineMm = 20.0F;
+/// Greatest distance of a point from the start of a fit, mm: beyond it, errors of single precision
+/// use up the tolerance.
 constexpr float kFarthestMm = 100.0F;
 /// Cosine of 45°. A joint that turns by more is a corner.
 constexpr float kSharpTurnCosine = 0.7071F;
 /// Arcs end before they turn by 130°. Up to there, the distance from their start grows fast enough
 /// to distinguish the points on them.
 constexpr float kWidestCosine = 0.4226F;  // Cosine of 65°, the angle between tangent and chord.
-/// Cosine of 17°. If the direction differs by more from the direction of the piece before, the fit
-/// begins without a known direction.
+/// Cosine of 17°. If the first line of a fit differs by more from the direction at the end of the
+/// piece before, the fit begins without a known direction.
 constexpr float kSameWayCosine = 0.955F;
 /// Least radius of an arc as a multiple of the tolerance.
 constexpr float kMinRadii = 4.0F;
@@ -142,7 +142,8 @@ Position Welder::place_of(const Point& point) const {
   return place;
 }
 
-/// Returns the tolerance for the line that ends at a point.
+/// Returns the tolerance of the fit for the line that ends at a point, mm. It is the tolerance of
+/// the weld minus rounding and the distance of omitted positions.
 /// @param here the point in the frame of the fit
 float Welder::tolerance_of(const Point& point, const Vec3& here) const {
   constexpr float kMin = 1.0e-6F;
@@ -174,7 +175,7 @@ void Welder::begin_fit() {
 }
 
 /// Chooses the plane of the fit. The plane of the previous fit is kept if it contains `way` and the
-/// direction, too. Otherwise another coordinate plane is chosen, or none.
+/// direction `ahead_`, too. Otherwise a coordinate plane that contains both is chosen, or none.
 void Welder::choose_plane(const Vec3& way) {
   const auto lies_in = [&](Plane plane) {
     const auto normal = static_cast<int>(axes_of(plane).normal);
@@ -187,8 +188,8 @@ void Welder::choose_plane(const Vec3& way) {
 
 /// Returns whether the fit may include the next point. The distance from the start must grow, so
 /// that no point is beyond the end of the arc. A short line may go in any direction as long as the
-/// circles pass its end. The reason is that programs on a grid, and offsets, contain small sideward
-/// steps that are not part of the curve.
+/// circles pass its end. The reason is that programs with points on a grid, and offset paths,
+/// contain small sideward steps that are not part of the curve.
 bool Welder::goes_on(const Vec3& here, const Vec3& chord) const {
   if (plane_ && here.z() != 0.0F) return false;
   if (points_fitted_ == 0 || is_short(chord.norm())) return true;

@@ -93,7 +93,8 @@ class Welder {
 
   /// The properties that all lines of the chain share. Also the piece that was returned last.
   PathItem chain_{};
-  /// True if a piece of the chain was returned. It had the outputs before the chain.
+  /// True if a piece of the chain was returned. That piece had the outputs that come before the
+  /// chain.
   bool given_out_ = false;
   std::array<Point, kMaxHeld> points_{};
   std::size_t oldest_ = 0;
@@ -107,7 +108,7 @@ class Welder {
   Vec3 ahead_{1.0F, 0.0F, 0.0F};
   /// Direction in which the piece before the fit bends; null if that piece is straight.
   Vec3 towards_{0.0F, 0.0F, 0.0F};
-  /// True if `ahead_` is the direction at the end of the piece before.
+  /// True if `ahead_` is the direction at the end of the piece before the fit.
   bool known_direction_ = false;
   bool fitting_ = false;
   /// Coordinate plane that contains all points of the fit; empty if there is none.

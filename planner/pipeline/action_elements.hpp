@@ -17,7 +17,7 @@ struct ActionPart {
   float feed_mm_s = 0.0F;  ///< Feed as in motion::MotionRequest, mm/s; 0 means a rapid.
   /// Whether the element and the element before it are parts of one curve.
   bool continues = false;
-  std::uint32_t index = 0;         ///< Index of the part for motion::SourceLine.
+  std::uint32_t index = 0;         ///< Index of the element, as in motion::SourceLine.
   std::optional<float> power_s{};  ///< Value of S from this part on; empty if S stays unchanged.
   /// Values of S for the equal parts of a line that is one element, a row. Empty for all other
   /// elements.

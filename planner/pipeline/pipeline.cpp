@@ -135,10 +135,12 @@ void Pipeline::attend(std::int32_t elapsed_us) {
   if (path_.empty() && supply_.silent_at_rest()) queue_.expect_no_more();
 }
 
-/// Releases the held elements in two cases. The sender is silent, or elements have been held for
-/// long enough and the plan would soon have to brake for lack of them.
+/// Releases the held elements if the plan would soon have to brake for lack of them. While the
+/// sender is not silent, there is a second condition. At rest, elements must have been held for
+/// long enough. In motion, fewer than kPlenty blocks must be planned.
 void Pipeline::release_held() {
-  // Number of blocks from which on longer welds are worth more than additional blocks.
+  // Number of planned blocks from which on held elements wait for later elements: then longer
+  // welds are worth more than additional blocks.
   constexpr std::size_t kPlenty = 16;
   const bool idle = segmenter_.idle();
   const bool silent = idle ? supply_.silent_at_rest() : supply_.silent();
@@ -155,7 +157,8 @@ void Pipeline::release_held() {
 /// Returns whether the plan would soon have to brake because no further element is planned. This is
 /// so if its remaining distance is at most the sum of three distances. They are twice the braking
 /// distance, the distance of the next cycles and, if jerk is limited, the distance by which the
-/// plan is ahead of the motion. The plan drives the last one at constant speed before it brakes.
+/// plan is ahead of the motion. The plan drives this third distance at constant speed before it
+/// brakes.
 bool Pipeline::runs_dry() const {
   constexpr float kCyclesAheadS = 0.05F;
   constexpr float kWindows = 1.5F;
@@ -172,15 +175,15 @@ bool Pipeline::runs_dry() const {
   return distance <= reach;
 }
 
-/// Returns whether a block can be taken back. All pixels of a row must be available for that,
-/// because without them the power of the row is not known.
+/// Returns whether a block can be taken back. For a row, all its pixels must still be stored,
+/// because without them the power along the row is not known.
 bool Pipeline::can_take_back(const motion::Block& block) {
   return !block.row.any() || pixels_.take_back(block.row.first);
 }
 
 motion::PathUnits Pipeline::go_back(motion::PathUnits distance) {
-  // Shortest rest of a block. If the rest would be shorter, the motion continues from a slightly
-  // earlier point.
+  // Least length of the rest of a block. If the rest would be shorter, the motion continues from a
+  // slightly earlier point.
   constexpr motion::PathUnits kShortestRest = motion::PathUnits{1} << 26;  // 1 µm.
   motion::PathUnits into = segmenter_.idle() ? 0 : segmenter_.into_block();
   motion::PathUnits left = distance;
@@ -196,8 +199,8 @@ motion::PathUnits Pipeline::go_back(motion::PathUnits distance) {
   const motion::PathUnits longest = std::max<motion::PathUnits>(0, length - kShortestRest);
   const motion::PathUnits place = std::min(into - (left - unknown), longest);
   segmenter_.go_back(place, distance - unknown);
-  // Without shapers and backlash the motor stage takes no part in the motion, so it must be set to
-  // the position.
+  // Without shapers and backlash the motor stage takes no part in the motion, so it does not know
+  // the motors' position yet.
   if (!motors_.active()) motors_.reset(segmenter_.motors(), {});
   return unknown;
 }
@@ -232,7 +235,8 @@ bool Pipeline::configure(const motion::MotorStageSetting& setting) {
 }
 
 void Pipeline::follow_kerf(const kerf::KerfCourse* course) {
-  // Without shapers and backlash the motor stage took no part in the motions so far.
+  // Without shapers and backlash the motor stage took no part in the motions so far, so it does not
+  // know the motors' position yet.
   if (!motors_.active()) motors_.reset(segmenter_.motors(), {});
   segmenter_.follow_kerf(course);
 }

@@ -59,8 +59,8 @@ class Pipeline {
   /// Releases the held elements, because no element follows before the motion has ended. Call this
   /// in each cycle until empty() returns true.
   void flush();
-  /// Counts the time, plans, and releases held elements before the motion would have to brake for
-  /// lack of them. Call this once in each cycle.
+  /// Adds up the elapsed time, plans, and releases held elements before the motion would have to
+  /// brake for lack of them. Call this once in each cycle.
   /// @param elapsed_us time since the last call
   void attend(std::int32_t elapsed_us);
   /// Returns the end of all elements that were appended, machine coordinates.
@@ -89,13 +89,13 @@ class Pipeline {
   /// Ends a halt, so that the held motion continues.
   void go_on() { segmenter_.go_on(); }
   /// If `keeps`, stores the path of all segments from now on, and of earlier segments as far as it
-  /// is known, so that go_back() can return along it. Otherwise ends this. While the path is
-  /// stored, has_room() may become false and stay false.
+  /// is known, so that go_back() can return along it. Otherwise stops storing the path. While
+  /// the path is stored, has_room() may become false and stay false.
   void keep_path(bool keeps) { queue_.keep_all(keeps); }
   /// Takes back the last `distance` of the path that was given out as segments. place() moves back
   /// by that distance. Once the motors have been brought to motor_place(), next() continues from
   /// there, from rest.
-  /// @return part of the distance that is no longer known and stays given out
+  /// @return length of the part of `distance` that is no longer stored and was not taken back
   /// @pre held() or empty()
   motion::PathUnits go_back(motion::PathUnits distance);
   void set_overrides(const motion::Overrides& overrides) { segmenter_.set_overrides(overrides); }

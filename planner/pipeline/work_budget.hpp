@@ -9,8 +9,8 @@ namespace cnc {
 /// time.
 ///
 /// The unit of work is one span of a block that the look-ahead evaluates; a span of an arc counts
-/// twice. A plan over all blocks takes more than a cycle's share. Later cycles, in which no element
-/// is taken, pay for the excess.
+/// twice. Each cycle pays for kSpansInCycle spans. A plan over all blocks takes more than that.
+/// Later cycles then pay for the excess and take no element meanwhile.
 class WorkBudget {
  public:
   /// Begins a cycle, which pays its share of the work that has not been paid for yet.
@@ -26,7 +26,7 @@ class WorkBudget {
   }
 
  private:
-  /// Work of reading an element, in spans: a tenth of a cycle.
+  /// Work of reading an element, in spans.
   static constexpr std::uint32_t kSpansForElement = 24;
   /// Work of reading the power of a pixel, in spans.
   static constexpr std::uint32_t kSpansForPixel = 1;

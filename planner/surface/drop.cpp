@@ -24,14 +24,14 @@ struct Section {
 
 /// Solves out · along / distance = slope · across for a quarter of a circle, where the point is
 /// `out` beyond the flat and `across` below the circle's centre. Both sides of the equation are
-/// smooth, and their difference rises with `along`. Towards the rim it rises without bound, because
-/// `across` is the square root of a length that vanishes there. Therefore the unknown is the square
-/// root of the remaining distance to the rim. With the distance itself as the unknown, Newton's
-/// steps near the rim would be much too short.
+/// smooth, and their difference rises with `along`. Towards the rim, its derivative grows without
+/// bound, because `across` is the square root of a length that vanishes there. Therefore the
+/// unknown is the square root of the remaining distance to the rim. With the distance itself as the
+/// unknown, Newton's steps near the rim would be much too short.
 double place_on_corner(const Section& section, double slope, double begin, double most) {
   const Profile& profile = section.profile;
   const double width = most - begin;
-  double low = 0.0;  // The rim.
+  double low = 0.0;  // Value of the unknown at the rim.
   double high = 1.0;
   double root = std::numbers::sqrt2 / 2.0;
   constexpr int kMaxSteps = 60;
@@ -45,8 +45,8 @@ double place_on_corner(const Section& section, double slope, double begin, doubl
     (off < 0.0 ? high : low) = root;
     const double bend = out * section.beside_square / (distance * square(distance));
     const double steep = square(share) + slope * out * share / std::max(across, 1e-300) + bend;
-    // Takes Newton's step, or half of the interval if the step would leave its bounds. The error of
-    // the height is only the square of the remaining error.
+    // Takes Newton's step, or the middle of the interval if the step would leave the interval. The
+    // error of the height is proportional to the square of the error of `root`.
     const double before = root;
     root += off / (2.0 * width * root * steep);
     if (!(root > low && root < high)) root = 0.5 * (low + high);
@@ -55,8 +55,9 @@ double place_on_corner(const Section& section, double slope, double begin, doubl
   return most - width * square(root);
 }
 
-/// Finds the point where the section rises as steeply as the line: there the line is highest above
-/// the section. Returns `most` mm, or more, if the section has no such slope.
+/// Finds the point where the section rises as steeply as the line: there the height of the line
+/// minus the height of the section is greatest. Returns `most` mm, or more, if the section has no
+/// such slope.
 /// @pre slope > 0
 double place_of_slope(const Section& section, double slope, double most) {
   const Profile& profile = section.profile;
@@ -140,8 +141,8 @@ FacetContact::FacetContact(const Profile& profile,
   height_ = a.z() - contact.height;
   const double twice = first.x() * second.y() - first.y() * second.x();
   const double sign = twice < 0.0 ? -1.0 : 1.0;
-  // Each product with one of these vectors is the share of the corner b or c at a point, times
-  // `whole_`.
+  // The scalar products of these vectors with the vector from `a` to a point are the barycentric
+  // shares of b and c at this point, times `whole_`.
   inwards_[0] = sign * Eigen::Vector2d{second.y(), -second.x()};
   inwards_[1] = sign * Eigen::Vector2d{-first.y(), first.x()};
   whole_ = std::abs(twice);

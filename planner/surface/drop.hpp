@@ -9,9 +9,9 @@
 
 namespace cnc::surface {
 
-/// Heights at which a tool that descends along Z first touches parts of a surface. The functions
-/// are the inverse tool of paper 4, for any tool of a Profile, on points, edges and facets. All
-/// lengths are in mm, and a height is the height of the tool's tip.
+/// Heights at which a tool that descends along Z first touches points, edges and facets of a
+/// surface. They are the heights that the inverse tool of paper 4 gives, for any tool of a Profile.
+/// All lengths are in mm, and a height is the height of the tool's tip.
 
 /// Height if the tool touches nothing.
 inline constexpr double kNoContact = -std::numeric_limits<double>::infinity();
@@ -43,7 +43,8 @@ struct PlaneContact {
 class FacetContact {
  public:
   /// Prepares a facet. For an upright facet height() always returns kNoContact: a tool never
-  /// touches the inside of such a facet without an edge, so its edges are enough.
+  /// touches the inside of such a facet without touching one of its edges, so checking the edges is
+  /// enough.
   FacetContact(const Profile& profile,
                const Eigen::Vector3d& a,
                const Eigen::Vector3d& b,
@@ -62,8 +63,9 @@ class FacetContact {
  private:
   /// X and Y of the tool's axis when the tool's point of contact is at `a`, mm.
   Eigen::Vector2d corner_ = Eigen::Vector2d::Zero();
-  /// Vectors across the two edges that meet at `a`. Their products with the distance from `corner_`
-  /// add up to `whole_` at the third edge.
+  /// Vectors across the two edges that meet at `a`. Their scalar products with the vector from
+  /// `corner_` to the tool's axis are at least 0 inside the facet. They add up to `whole_` at the
+  /// third edge.
   std::array<Eigen::Vector2d, 2> inwards_{Eigen::Vector2d::Zero(), Eigen::Vector2d::Zero()};
   double whole_ = -1.0;
   double height_ = 0.0;  ///< Height of the tip when the tool's point of contact is at `a`.

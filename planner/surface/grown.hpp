@@ -23,7 +23,7 @@ struct GrownTool {
 [[nodiscard]] inline GrownTool grown(const Profile& profile, double tolerance_mm) {
   GrownTool tool{.profile = profile, .lift_mm = tolerance_mm, .band_mm = tolerance_mm};
   if (profile.rise > 0.0) {
-    // Here the rim moves outwards by the band and downwards by the lift.
+    // The rim of a cone moves outwards by the band and downwards by the lift.
     const double lift = std::sqrt(1.0 + profile.rise * profile.rise);
     tool.band_mm = 2.0 * tolerance_mm / (1.0 + std::sqrt(1.0 + lift * lift));
     tool.lift_mm = tool.band_mm * lift;

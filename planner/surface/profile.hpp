@@ -5,10 +5,10 @@
 
 namespace cnc::surface {
 
-/// The lower surface of a rotating tool: the height above the pose's tip as a function of the
-/// distance from the axis. The surface is flat up to `flat_mm`. From there to `radius_mm` it is a
-/// quarter of a circle of radius `corner_mm`, or a cone that rises by `rise` per mm. The surface is
-/// convex and never falls outwards.
+/// The lower surface of a rotating tool: the height above the pose, which is the programmed
+/// position of the tip, as a function of the distance from the axis. The surface is flat up to
+/// `flat_mm`. From there to `radius_mm` it is a quarter of a circle of radius `corner_mm`, or a
+/// cone that rises by `rise` per mm. The surface is convex and never falls outwards.
 ///
 /// With a corner, `flat_mm` may be below 0: then the circle's centre is on the other side of the
 /// axis.
@@ -17,7 +17,7 @@ struct Profile {
   double flat_mm = 0.0;
   double corner_mm = 0.0;  ///< Radius of the corner; 0 for a flat tool and a cone.
   double rise = 0.0;       ///< Slope of a cone, mm per mm; 0 for all other tools.
-  double tip_mm = 0.0;     ///< Height of the lowest point above the pose's tip.
+  double tip_mm = 0.0;     ///< Height of the lowest point above the pose.
 };
 
 /// Returns the height at `distance_mm` from the axis. @pre 0 ≤ `distance_mm` ≤ the radius

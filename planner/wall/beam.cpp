@@ -50,7 +50,8 @@ class SeenLine {
   /// the shares `begin` and `end` of the line.
   [[nodiscard]] double least(const Beam& beam, double begin, double end) const {
     double share = climb_ > 0.0 ? end : begin;
-    // If the line climbs less than the cone's side, it has a point that is nearest to the side.
+    // If the line rises along the axis less steeply than the side of the cone, one of its points is
+    // nearest to the side.
     const double rise = climb_ * beam.sine;
     const double run = length_ * beam.cosine;
     if (std::abs(rise) < run) {
@@ -63,7 +64,7 @@ class SeenLine {
   }
 
  private:
-  double length_ = 0.0;  ///< Length of the line's projection along the axis.
+  double length_ = 0.0;  ///< Length of the line's projection onto a plane across the axis.
   double climb_ = 0.0;
   double from_along_ = 0.0;
   double beside_ = 0.0;
