@@ -25,8 +25,9 @@ enum class SplitResult : std::uint8_t {
   kNoOwner,  ///< A hole is in no outline, because the loops cross each other.
 };
 
-inline constexpr double kMinArea = 1.0e-14;      ///< mm².
-inline constexpr double kMinHoleWidth = 1.0e-9;  ///< mm.
+/// Least area that a loop must enclose to be kept, mm².
+inline constexpr double kMinArea = 1.0e-14;
+inline constexpr double kMinHoleWidth = 1.0e-9;  ///< Least mean width of a hole that is kept, mm.
 
 /// Splits loops into connected areas and appends them to `out`. Omits a loop that encloses less
 /// than `kMinArea`. Also omits a hole whose mean width is less than `kMinHoleWidth`. Such a hole is

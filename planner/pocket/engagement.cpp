@@ -84,7 +84,7 @@ Crescent crescent_between(const ToolCircle& cleared, const ToolCircle& next) {
 double crescent_engagement(const ToolCircle& cleared,
                            const ToolCircle& next,
                            double tool_radius_mm) {
-  constexpr int kSamples = 64;  // Number of samples on each side of the middle.
+  constexpr int kSamples = 64;  // Number of samples on each side of the crescent's middle.
   const ClearedDisc disc{cleared.centre, cleared.radius + tool_radius_mm};
   const CirclePair pair = pair_of(cleared, next);
   double greatest = 0.0;

@@ -59,8 +59,8 @@ Scalar signed_area(const contour::ContourView<Scalar>& contour, std::size_t loop
   return sum;
 }
 
-// Counts the turns of the polygon of all chords. Each segment between an arc and its chord that
-// contains the point counts as one turn more.
+// Counts the turns of the polygon of all chords around the point. A segment between an arc and its
+// chord that contains the point adds the arc's turn: +1 to the left, −1 to the right.
 template <typename Scalar>
 int turns_around(const contour::ContourView<Scalar>& contour,
                  std::size_t loop,

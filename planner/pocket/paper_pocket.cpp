@@ -13,7 +13,7 @@ namespace {
 
 using contour::Curve;
 
-/// Sine of a turn below which elements join with one tangent.
+/// Sine of the turn between two elements below which they count as joined with one tangent.
 constexpr double kOneTangent = 1.0e-9;
 
 /// The loops of paper 5 inside one wall.
@@ -27,8 +27,8 @@ class PaperLoops {
 
   [[nodiscard]] std::uint32_t count() const { return count_; }
 
-  /// Returns element `index` after it was moved inwards; nothing if the distance uses up its
-  /// radius.
+  /// Returns element `index` moved inwards; nothing if it is an arc whose radius is not greater
+  /// than the distance.
   [[nodiscard]] std::optional<Curve<Scalar>> moved(std::uint32_t index, Scalar distance) const {
     const Curve<Scalar>& element = elements_[index];
     const Scalar inwards = -distance * stretch(element);
@@ -69,8 +69,8 @@ class PaperLoops {
       const Vector out = moved(next, distance)->tangent_at(place);
       const Scalar turn = cross(in, out);
       if (std::abs(turn) < Scalar{kOneTangent} && in.dot(out) > Scalar{0}) continue;
-      // Half of the vertex angle plus half of the turn is 90°. Beyond 180° the two halves are
-      // equal.
+      // Half of the vertex angle is 90° minus half of the turn. For a vertex angle beyond 180°,
+      // taken modulo 180°, it equals half of the turn.
       const Scalar sign = turn > Scalar{0} ? Scalar{1} : Scalar{-1};
       const Scalar square = Scalar{0.5} * (Scalar{1} + sign * in.dot(out));
       least = std::min(least, std::sqrt(std::max(Scalar{0}, square)));
@@ -88,7 +88,8 @@ class PaperLoops {
       const Curve<Scalar> element = *moved(i, distance);
       const Vector chord = *to - *from;
       const Vector along = element.tangent_at(*from) + element.tangent_at(*to);
-      // If an element is half a turn, both tangents are perpendicular to the chord.
+      // If an element is half a turn, both tangents are perpendicular to the chord, so the product
+      // is nearly 0.
       if (!(chord.dot(along) > -Scalar{kOneTangent} * chord.norm())) return false;
     }
     return true;
@@ -135,7 +136,7 @@ Result<std::uint32_t, PaperFault> find_distances(const PaperLoops<Scalar>& loops
   for (Scalar distance = radius; loops.is_loop(distance);) {
     if (count == distances.size()) return PaperFault::kTooManyPasses;
     distances[count++] = distance;
-    distance += radius * (Scalar{1} + loops.sharpest(distance));  // Equation 10.
+    distance += radius * (Scalar{1} + loops.sharpest(distance));  // Equation 10 of paper 5.
   }
   if (count == 0) return PaperFault::kToolTooLarge;
   return count;
