@@ -147,7 +147,8 @@ class Splitter {
   }
 
   /// Cuts at the cusps between two samples. If the source turns far between the samples, two cusps
-  /// may look like one. So the stretch is divided into steps that turn little.
+  /// may look like one. The function therefore divides the stretch between the samples into steps
+  /// with little turn.
   void cut_between(std::size_t span, Look low, const Look& high) {
     constexpr int kMaxSteps = 200;
     for (int i = 0; i < kMaxSteps && low.share < high.share; ++i) {
@@ -162,7 +163,8 @@ class Splitter {
     }
   }
 
-  /// Cuts at the cusp of a step, if it has one; it has at most one.
+  /// Cuts at the cusp of a step, if there is one. A step turns so little that it has at most one
+  /// cusp.
   void cut_step(std::size_t span, Look low, Look high) {
     if (!turns_back(low, high)) return;
     while (high.share - low.share > kCuspShare) {

@@ -38,7 +38,7 @@ struct BandReach {
 /// last curvature in it belongs to the arc that stays in the band longest.
 ///
 /// Wherever an arc is accepted, the curve's direction differs from the arc's direction by less than
-/// a quarter turn, so the distance counts both ways.
+/// a quarter turn. So the tolerance holds from the curve to the arc and from the arc to the curve.
 class ToleranceBand {
  public:
   ToleranceBand(const CurvePiece& piece, std::span<const CurveSample> samples, double tolerance_mm)
