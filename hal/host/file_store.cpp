@@ -125,7 +125,7 @@ void FileStore::release() {
 }
 
 bool FileStore::open_and_lock() {
-  // Another process may replace the file between opening and locking.
+  // Another process may replace the file between opening and locking, so both are repeated.
   constexpr int kMaxTries = 100;
   const std::string target = without_links(path_);
   for (int i = 0; i < kMaxTries; ++i) {

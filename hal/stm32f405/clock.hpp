@@ -61,8 +61,8 @@ class ClockStart {
 
  private:
   static constexpr std::uint32_t kInternalHz = 16'000'000;
-  // One read takes at least 4 clocks of 16 MHz. A crystal needs 2 ms to start, up to 20 ms if it is
-  // cold.
+  // Greatest numbers of reads in a wait. One read takes at least 4 clocks of 16 MHz. A crystal
+  // needs 2 ms to start, up to 20 ms if it is cold.
   static constexpr std::uint32_t kCrystalLooks = 200'000;
   static constexpr std::uint32_t kPllLooks = 10'000;  ///< The PLL locks within 0.3 ms.
 

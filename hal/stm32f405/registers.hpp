@@ -87,7 +87,8 @@ inline constexpr Address kMemory = 0x0800'0000;
 
 inline constexpr Word kFirstKey = 0x4567'0123;
 inline constexpr Word kSecondKey = 0xCDEF'89AB;
-inline constexpr Word kFiveWaitStates = 5;  ///< For 150 to 168 MHz at 2.7 to 3.6 V, table 10.
+/// Setting for 150 to 168 MHz at 2.7 to 3.6 V, table 10.
+inline constexpr Word kFiveWaitStates = 5;
 inline constexpr Word kPrefetch = bit(8);
 inline constexpr Word kInstructionCache = bit(9);
 inline constexpr Word kDataCache = bit(10);
@@ -212,8 +213,8 @@ inline constexpr Address kRegionSize = 0xE000'EDA0;
 
 inline constexpr Word kResetNow = 0x05FA'0004;
 inline constexpr Word kFpuOn = 0xF << 20;
-inline constexpr Word kFaultsOn = 7 << 16;  ///< Separate memory, bus and usage faults.
-inline constexpr Word kTickOn = 7;          ///< Core clocks are counted; interrupts are on.
+inline constexpr Word kFaultsOn = 7 << 16;  ///< Enables separate memory, bus and usage faults.
+inline constexpr Word kTickOn = 7;          ///< Counts core clocks, with interrupts on.
 }  // namespace core
 
 /// Positions in the vector table after the core's sixteen entries, table 62.

@@ -143,13 +143,14 @@ class StepTimer {
     due_ = due_.plus(wait);
     if (!pulse_ended_) pulse_ = wait;
     const std::uint32_t least = pulse_ended_ && pulse_ < wait ? pulse_ : wait;
-    const TickCount after_edge = edge_.plus(least + 1);  // The added tick is the tick of the edge.
+    // Rounds up: the edge came within its tick.
+    const TickCount after_edge = edge_.plus(least + 1);
     comes_ = edge_made_ && after_edge.reached(due_) ? after_edge : due_;
     Bus::write(timer::kTim2 + timer::compare(1), comes_.raw());
   }
 
-  /// Schedules the next sign of life. `due_` stays unchanged, because an output that changes at
-  /// rest belongs to the last boundary.
+  /// Schedules the next interrupt at rest, which shows that the interrupt still works. `due_` stays
+  /// unchanged, because an output that changes at rest belongs to the last boundary.
   void rest() noexcept {
     comes_ = now().plus(kRestTicks);
     Bus::write(timer::kTim2 + timer::compare(1), comes_.raw());

@@ -54,7 +54,7 @@ class ArcFit {
   enum class Step : std::uint8_t { kReach, kConfirm, kOther, kConfirmOther, kStraight, kReady };
 
   struct Reach {
-    float distance = 0.0F;  ///< Distance in knots; 0 if no biarc was found.
+    float distance = 0.0F;  ///< Distance along the curve, in knots; 0 if no biarc was found.
     float joint_share = 0.5F;
   };
 
@@ -91,7 +91,7 @@ class ArcFit {
   Reach reach_{};           ///< Farthest biarc found so far that fits.
   float distance_ = 0.0F;   ///< Next distance to be tried, in knots.
   float out_of_reach_ = 0.0F;
-  float found_mm_ = 0.0F;  ///< Deviation that the last close comparison found.
+  float found_mm_ = 0.0F;  ///< Deviation that the last close comparison found, mm.
   bool bounded_ = false;   ///< Whether some tried distance was out of reach.
   bool crumb_seen_ = false;
   bool second_waits_ = false;

@@ -35,7 +35,7 @@ class Bezier {
   static constexpr std::size_t kHighestDegree = 5;
 
   Bezier() = default;
-  /// @pre `degree` is 1…kHighestDegree. Entries of `points` after that index are not used.
+  /// @pre `degree` is 1…kHighestDegree. Entries of `points` after index `degree` are not used.
   Bezier(const std::array<WeightedPoint, kHighestDegree + 1>& points, std::size_t degree)
       : points_{points}, degree_{degree} {}
 

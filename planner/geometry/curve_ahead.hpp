@@ -21,7 +21,8 @@ class CurveAhead {
   /// Greatest number of segments in view. A biarc seldom extends over three segments.
   static constexpr std::size_t kMaxPieces = 4;
 
-  /// Starts at the beginning of the spline, which must outlive this. @pre spline.complete()
+  /// Starts at the beginning of the spline. The spline must outlive this object. @pre
+  /// spline.complete()
   explicit CurveAhead(const Spline& spline) : spline_{&spline} { look(); }
 
   [[nodiscard]] bool at_end() const { return segment_ >= spline_->segment_count(); }

@@ -63,7 +63,7 @@ inline constexpr Word kBusOff = bit(2);
 // Bits of kTiming.
 inline constexpr Word kLoopBack = bit(30);
 inline constexpr Word kSilent = bit(31);
-// Bits of the identifier in frames and filters.
+// Bits of the identifier word of frames and filters.
 inline constexpr Word kGo = bit(0);
 inline constexpr Word kRemote = bit(1);
 inline constexpr Word kExtended = bit(2);
