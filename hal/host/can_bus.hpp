@@ -22,8 +22,8 @@ namespace hal::host {
 /// forever.
 class CanBus {
  public:
-  /// A node on the bus. It behaves like the controller's driver: it sends frames in order and
-  /// queues up to 32 frames in each direction.
+  /// A node on the bus. It behaves like the controller's driver: it sends frames in the order of
+  /// the calls and queues up to 32 frames in each direction.
   class Node final : public CanPort {
    public:
     explicit Node(CanBus& bus) : bus_{bus} {}

@@ -111,7 +111,7 @@ FileStore::FileStore(std::string path) : path_{std::move(path)} {
     if (open_and_lock()) read();
   } catch (const std::exception& error) {
     release();
-    // A reason that concerns a line of the file already begins with a colon.
+    // A reason that concerns a line of the file begins with a colon and the number of the line.
     const std::string reason = error.what();
     throw std::runtime_error(path_ + (reason.starts_with(':') ? "" : ": ") + reason);
   }

@@ -151,7 +151,8 @@ void SocketCan::hear_only(std::span<const std::uint32_t> heard, std::size_t /*ur
 }
 
 bool SocketCan::receive(CanFrame& frame) {
-  // Bounds the time of a call; further error frames wait for the next call.
+  // Greatest number of error frames in one call, which bounds its time. Further error frames wait
+  // for the next call.
   constexpr int kMaxErrors = 64;
   for (int errors = 0; errors < kMaxErrors; ++errors) {
     KernelFrame raw{};

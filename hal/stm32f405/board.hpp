@@ -132,8 +132,8 @@ constexpr PinCensus pins_of(const Board& board) {
 }
 
 /// Checks that no output is a debugger's pin (PA13, PA14), because an attached debugger drives
-/// these pins. Allowed are inputs, and a pin that is held at the level of its pull-down during
-/// reset.
+/// these pins. Inputs may be debugger's pins. So may `held_low`, because its level is that of the
+/// pull-down during reset.
 constexpr bool debugger_is_left_alone(Board board) {
   for (Pin* const pin : {&board.probe,
                          &board.door,

@@ -188,7 +188,8 @@ inline constexpr Word kBegin = 0xCCCC;
 /// Identification of the chip, chapters 38 and 39.
 inline constexpr Address kDeviceCode = 0xE004'2000;
 inline constexpr Address kUniqueId = 0x1FFF'7A10;
-inline constexpr Address kFlashSize = 0x1FFF'7A20;     ///< Size in KiB, in the upper half.
+/// Address of the flash size in KiB, in the upper half of the word.
+inline constexpr Address kFlashSize = 0x1FFF'7A20;
 inline constexpr Address kSystemMemory = 0x1FFF'0000;  ///< Address of ST's boot loader, table 3.
 
 /// Registers of the core: system control, system timer, interrupts, memory protection.

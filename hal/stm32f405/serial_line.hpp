@@ -124,7 +124,7 @@ class SerialLine final : public ByteStream {
   SpscRing<std::byte, ByteRings::kSendBytes>& to_send_;
   TurnMarks marks_{};
   std::atomic<std::uint32_t> lost_{0};
-  bool gap_ = false;  ///< A byte was dropped, and kLostByte is not stored in its place yet.
+  bool gap_ = false;  ///< Whether a byte was dropped and kLostByte is not stored in its place yet.
 };
 
 }  // namespace hal::stm32f405

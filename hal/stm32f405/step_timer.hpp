@@ -30,14 +30,14 @@ class StepTimer {
   static constexpr std::uint32_t kTicksPerSecond = 4'000'000;
   static constexpr std::uint32_t kRestTicks = kTicksPerSecond / 100;
   static constexpr std::uint32_t kTurnTicks = kTicksPerSecond / 1000;
-  static constexpr unsigned kPriority = 1;  ///< Less urgent than the interrupts that handle faults.
+  static constexpr unsigned kPriority = 1;  ///< Priority below that of the fault handlers.
 
   /// Sets up the timer. Called once, with interrupts off.
   static void set_up(const Clocks& clocks) noexcept {
     set<Bus>(rcc::kApb1Enr, bit(0));
     Bus::write(timer::kTim2 + timer::kPrescaler, clocks.apb1_timers / kTicksPerSecond - 1);
     Bus::write(timer::kTim2 + timer::kReload, 0xFFFF'FFFF);
-    Bus::write(timer::kTim2 + timer::kEvents, timer::kUpdate);  // Loads the prescaler.
+    Bus::write(timer::kTim2 + timer::kEvents, timer::kUpdate);  // This event loads the prescaler.
     Bus::write(timer::kTim2 + timer::compare(1), kRestTicks);
     Bus::write(timer::kTim2 + timer::kStatus, 0);
     Bus::write(timer::kTim2 + timer::kInterrupts, timer::kCompare1);

@@ -25,7 +25,8 @@ enum class FitEnd : std::uint8_t {
   /// Keeps the point and the tangent, so that a neighbour that joins smoothly still joins smoothly.
   kTangent,
   kPlace,  ///< Keeps only the point, for a corner.
-  /// Keeps neither. The end may be anywhere within the tolerance on the curve's normal.
+  /// Keeps neither the point nor the tangent. The end may be anywhere within the tolerance on the
+  /// curve's normal.
   kFree,
 };
 

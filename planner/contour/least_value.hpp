@@ -14,8 +14,8 @@ struct LeastValue {
 struct SearchRange {
   double low = 0.0;
   double high = 1.0;
-  /// Number of evenly spread evaluations, including both ends; at least 2. If both ends are equal,
-  /// there is one evaluation.
+  /// Number of evenly spread evaluations, including both ends of the range; at least 2. If both
+  /// ends are equal, there is one evaluation.
   int looks = 8;
   int steps = 20;  ///< Number of steps of the golden section around the best evaluation.
 };

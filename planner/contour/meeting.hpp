@@ -7,7 +7,7 @@
 
 namespace cnc::contour {
 
-/// Points where two curves cross or touch. Curves that coincide have none.
+/// Points where two curves cross or touch. Curves that coincide have no such points.
 template <typename Scalar>
 struct Meetings {
   std::array<BasicVec2<Scalar>, 2> places{BasicVec2<Scalar>{Scalar{0}, Scalar{0}},

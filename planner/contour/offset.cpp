@@ -49,8 +49,8 @@ Result<ContourView<Scalar>, OffsetError> copied(const ContourView<Scalar>& input
 
 template <typename Scalar>
 Tolerance<Scalar> Tolerance<Scalar>::for_coordinates_up_to(Scalar most) {
-  // Factor on the rounding error that a chain of computations may accumulate. Single precision
-  // allows no greater factor.
+  // Factor by which the error of a chain of computations may exceed the floating-point resolution.
+  // In single precision the resolution is too coarse for a greater factor.
   constexpr Scalar kRoundings = sizeof(Scalar) > sizeof(float) ? Scalar{1024} : Scalar{8};
   const Scalar touch =
       kRoundings * std::numeric_limits<Scalar>::epsilon() * std::max(Scalar{1}, most);

@@ -14,8 +14,8 @@ namespace {
 constexpr float kUnseen = 0.005F;
 /// Allowance for the rounding of ends, joints and the curve's own origin to whole nanometres, mm.
 constexpr float kRoundingMm = 2.0e-6F;
-/// Error as a share of the extent. It covers the single precision of the sampled curve, of the
-/// circles and of the joint.
+/// Rounding error as a share of the extent (BiarcTrial::extent()). It covers the single precision
+/// of the sampled curve, of the circles and of the joint.
 constexpr float kRelativeError = 3.0e-7F;
 
 Vec2 between(const Position& from, const Position& to) {

@@ -117,7 +117,7 @@ class LocalSearch {
   Feasibility may_;
   double min_gain_;
   bool is_free_;
-  /// Whether the reversal of some set has another entry than the set, as for an open line.
+  /// Whether a set exists whose reversal has another entry, as an open line has.
   bool has_lines_;
   bool is_plain_;  ///< Whether each set has only one candidate.
   /// Whether a later neighbour in a list always costs more, so that a search may end early.

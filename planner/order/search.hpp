@@ -53,7 +53,7 @@ class Search {
     std::span<const Index> chosen;  ///< Candidate that is chosen for each set, indexed by set.
   };
 
-  /// Starts a search. All arguments except `start` must outlive it.
+  /// Starts a search. All arguments except `start` must outlive the search.
   Search(const Problem& problem,
          const Cost& cost,
          const Neighbours& neighbours,

@@ -14,9 +14,10 @@ template <typename Scalar>
 struct LoopNote {
   Scalar area{};  ///< Enclosed area in mm², negative for holes.
   contour::FlatBox<Scalar> box{};
-  /// For an outline: the last hole found in the outline.
+  /// For an outline: index of the hole that was found last in it; kNone without a hole.
   std::uint32_t first_hole = contour::kNone;
-  std::uint32_t next_hole = contour::kNone;  ///< For a hole: another hole of the same outline.
+  /// For a hole: index of the next hole of the same outline.
+  std::uint32_t next_hole = contour::kNone;
 };
 
 enum class SplitResult : std::uint8_t {

@@ -26,7 +26,7 @@ enum class ClearingFault : std::uint8_t {
   kOptionOutOfRange,  ///< An option is out of its range or not a number.
   kOffset,            ///< An offset failed: see `ClearingError::offset`.
   kTooManyLoops,      ///< The working storage for loops is full.
-  kLoopsCross,        ///< A hole is in no outline.
+  kLoopsCross,        ///< A hole is in no outline, because loops cross each other.
   kPassesTooLong,     ///< The storage of the passes is full.
 };
 

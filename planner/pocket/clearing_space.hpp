@@ -9,8 +9,8 @@
 
 namespace cnc::pocket {
 
-/// Capacities that the passes of a pocket require. `elements` and `cuts` are the capacities for the
-/// offset of the pocket. `loops` is the greatest number of loops of one offset.
+/// Capacities that the passes of a pocket require. `elements` and `cuts` are those of OffsetSizes
+/// for the offset of the pocket. `loops` is the greatest number of loops of one offset.
 struct ClearingSizes {
   std::size_t elements;
   std::size_t cuts;

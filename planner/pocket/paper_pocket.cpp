@@ -96,7 +96,8 @@ class PaperLoops {
   }
 
  private:
-  /// Returns the factor by which the paper's program moves a line too far.
+  /// Returns the quotient of the distance by which the paper's program moves an element and the
+  /// correct distance; 1 if the program is right.
   [[nodiscard]] Scalar stretch(const Curve<Scalar>& element) const {
     const Vector& t = element.start_tangent;
     const bool slanted = element.curvature == Scalar{0} && t.x() != Scalar{0} && t.y() != Scalar{0};

@@ -198,7 +198,7 @@ template <typename Scalar>
 std::optional<PocketFault> PathMaker<Scalar>::follow(const Link<Scalar>& link) {
   for (std::size_t i = 0; i < 3; ++i) {
     const Vector& from = link.points[i];
-    // Length below which an element is a rounding error.
+    // Length in mm below which an element counts as a rounding error.
     constexpr Scalar kShortest{1.0e-9};
     if ((link.points[i + 1] - from).norm() < kShortest) continue;
     if (!out_.add({from.x(), from.y(), z_, link.bulges[i], Use::kPass})) {
