@@ -11,8 +11,8 @@
 
 namespace hal::host {
 
-/// Returns the number of bits of a standard frame on the wire, including stuffed bits. They extend
-/// from its start to the end of the silence after it (ISO 11898-1).
+/// Returns the number of bits of a standard frame on the wire, including stuffed bits. The count
+/// extends from the start of the frame to the end of the silence after it (ISO 11898-1).
 /// @pre `frame` has an identifier of 11 bits
 [[nodiscard]] unsigned can_bits(const CanFrame& frame);
 

@@ -80,8 +80,10 @@ class RecordingPort final : public AuxiliaryOutputs, public MachineInputs {
   }
 
   // State of the machine: outputs that the machine reads, and inputs that the machine sets.
-  std::array<std::int32_t, kMotors> position{};         ///< Steps since power-up.
-  std::array<std::int32_t, kMotors> second_position{};  ///< Steps of second motors since power-up.
+  /// Position of each first motor, in steps since power-up.
+  std::array<std::int32_t, kMotors> position{};
+  /// Position of each second motor, in steps since power-up.
+  std::array<std::int32_t, kMotors> second_position{};
   std::array<std::uint16_t, 4> analog{};
   std::uint16_t power = 0;
   std::uint8_t digital = 0;

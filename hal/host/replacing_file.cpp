@@ -121,7 +121,7 @@ std::string without_links(const std::string& path) {
     std::error_code is_none;
     const std::filesystem::path next = std::filesystem::read_symlink(followed, is_none);
     if (is_none) return followed.string();
-    followed = followed.parent_path() / next;  // An absolute `next` replaces the complete path.
+    followed = followed.parent_path() / next;  // If `next` is absolute, the result is `next` alone.
   }
   throw std::system_error{ELOOP, std::generic_category(), path};
 }

@@ -79,7 +79,8 @@ class ClockStart {
 
   static bool start_pll(std::uint32_t input_hz, bool crystal) noexcept {
     const Word divider = input_hz / 1'000'000;
-    const Word multiplier = 336;  // 336 MHz, which is divided by 2 for the core and by 7 for USB.
+    // Makes 336 MHz, which is divided by 2 for the core and by 7 for USB.
+    const Word multiplier = 336;
     Bus::write(rcc::kPllCfgr,
                divider | multiplier << 6 | (crystal ? rcc::kPllFromHse : 0) | Word{7} << 24);
     set<Bus>(rcc::kCr, rcc::kPllOn);

@@ -172,8 +172,8 @@ inline constexpr Word kRoomInterrupt = bit(7);
 inline constexpr Word kOn = bit(13);
 }  // namespace usart
 
-/// Independent watchdog, chapter 21. Its clock is 32 kHz, but 17 to 47 kHz over all chips and
-/// temperatures.
+/// Independent watchdog, chapter 21. Its clock has nominally 32 kHz, but 17 to 47 kHz over all
+/// chips and temperatures.
 namespace watchdog {
 inline constexpr Address kBase = 0x4000'3000;
 inline constexpr Address kKey = kBase + 0x00;

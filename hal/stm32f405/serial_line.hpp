@@ -81,7 +81,8 @@ class SerialLine final : public ByteStream {
     for (std::uint32_t byte = 0; byte < kMaxAtOnce; ++byte) {
       const Word status = Bus::read(kPins.base + usart::kStatus);
       if ((status & (usart::kReceived | usart::kDamaged)) == 0) break;
-      // Reading the data register after the status register clears both flags.
+      // Reading the data register after the status register clears the flags of received bytes and
+      // of errors.
       const auto data = static_cast<std::byte>(Bus::read(kPins.base + usart::kData) & 0xFFU);
       keep((status & usart::kDamaged) != 0 ? kLostByte : data, (status & usart::kDamaged) != 0);
     }

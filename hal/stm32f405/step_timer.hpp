@@ -112,7 +112,8 @@ class StepTimer {
  private:
   static TickCount now() noexcept { return TickCount{Bus::read(timer::kTim2 + timer::kCounter)}; }
 
-  /// Returns whether the boundary has passed and no earlier step is waiting.
+  /// Returns whether the next boundary is due and all steps that were due before it have been
+  /// played.
   [[nodiscard]] bool turn_is_due() const noexcept {
     return turns_.load(std::memory_order_relaxed) && (!running_ || due_.reached(turn_)) &&
            now().reached(turn_);

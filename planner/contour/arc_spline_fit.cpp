@@ -82,7 +82,7 @@ class ChainWriter {
   /// Returns whether the arc to `place` continues the circle of the last arc, and both arcs
   /// together are at most half of that circle.
   [[nodiscard]] bool continues(const WideVec2& place, double curvature) const {
-    // Greatest difference in turn, radians, over both arcs of one circle.
+    // Greatest turn, radians, by which two arcs of one circle may differ because of rounding.
     constexpr double kSameTurn = 1.0e-10;
     const WideVec2 whole = place - before_;
     const double length = (here_ - before_).norm() + (place - here_).norm();

@@ -68,8 +68,8 @@ class Splitter {
     return a.dot(b) < 0.0 || std::abs(cross(a, b)) > min_corner_;
   }
 
-  /// Returns whether the direction turns by more than a quarter turn. Between near points this
-  /// happens only at a cusp.
+  /// Returns whether the direction of travel differs by more than a quarter turn between two
+  /// samples. If the samples are near each other, this happens only at a cusp.
   [[nodiscard]] static bool turns_back(const Look& before, const Look& after) {
     return before.travel().dot(after.travel()) < 0.0;
   }

@@ -16,7 +16,7 @@ struct Meetings {
 };
 
 /// Returns the points that are within `touch` mm of both curves. If the two circles miss each other
-/// by less than `touch`, the point between them counts.
+/// by less than `touch`, the result contains the point between them.
 template <typename Scalar>
 [[nodiscard]] Meetings<Scalar> meetings_of(const Curve<Scalar>& a,
                                            const Curve<Scalar>& b,

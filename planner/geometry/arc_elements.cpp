@@ -36,7 +36,8 @@ ArcElements::ArcElements(const CentreArc& arc, std::uint32_t min_count) noexcept
   start_cosine_ = x0 / start_radius_;
   start_sine_ = y0 / start_radius_;
 
-  // The cross product with the difference of end and start keeps its digits for short arcs.
+  // Computed with the difference of end and start, the cross product loses no digits for short
+  // arcs.
   const float left_turn = atan2_f(x0 * dy - y0 * dx, x0 * x1 + y0 * y1);
   const float turn = arc.clockwise ? -left_turn : left_turn;
   const bool is_full = turn <= kFullCircle && (turn <= 0.0F || length(dx, dy) <= kRoundedEndMm);

@@ -40,8 +40,10 @@ class ArcFit {
   ArcFit(const Spline& spline, const Position& start, float tolerance_mm);
 
   [[nodiscard]] bool done() const { return !second_waits_ && ahead_.at_end(); }
-  /// Works on the next element for up to `points` points, exceeded by at most kPointsAtOnce.
-  /// Subtracts the points used from `points`. Returns whether the element is ready. @pre !done()
+  /// Works on the next element and uses up to `points` points. The last step may use up to
+  /// kPointsAtOnce points more. Subtracts the points used from `points`. Returns whether the
+  /// element is ready.
+  /// @pre !done()
   [[nodiscard]] bool work(std::uint32_t& points);
   /// Returns the next element. First finishes the work on it if necessary. @pre !done()
   [[nodiscard]] PathElement next();

@@ -47,7 +47,7 @@ struct SearchSpace {
 template <LegCost Cost>
 class Search {
  public:
-  /// A tour that keeps the precedence.
+  /// The tour from which a search starts. It must keep the precedence.
   struct Start {
     std::span<const Index> order;   ///< A permutation of the sets, home first.
     std::span<const Index> chosen;  ///< Candidate that is chosen for each set, indexed by set.
@@ -118,7 +118,7 @@ class Search {
   /// The best tour is copied only after one trial for each kSetsToKeep sets since the previous
   /// copy.
   static constexpr Index kSetsToKeep = 64;
-  /// Number of trials after which the cost is recomputed, to remove rounding.
+  /// Number of trials after which the cost is recomputed, to remove accumulated rounding errors.
   static constexpr std::uint64_t kRecount = 1U << 16U;
   /// Number of sets before and after a set whose candidates are chosen again.
   static constexpr Index kReach = 2;

@@ -19,8 +19,8 @@ struct ClearingSizes {
   [[nodiscard]] constexpr contour::OffsetSizes offset() const { return {elements, cuts}; }
 };
 
-/// Storage for loops that are computed temporarily. Sizes by ClearingSizes: `elements` for the
-/// vertices, `loops` for the loop ends.
+/// Storage for loops that are computed temporarily: `elements` vertices and `loops` loop ends (see
+/// ClearingSizes).
 template <typename Scalar>
 struct LoopSpace {
   contour::Slice<contour::Vertex<Scalar>> vertices;

@@ -15,7 +15,7 @@ namespace cnc::pocket {
 ///
 /// Guarantee: the result is at most kFarthestError less than the greatest distance. Time: (n + m)
 /// log n for n elements of the goal and m halvings, a few for each corner.
-inline constexpr double kFarthestError = 1.0e-9;  // mm
+inline constexpr double kFarthestError = 1.0e-9;  // Greatest error of the result, mm.
 template <typename Scalar>
 class FarthestPoint {
  public:

@@ -41,7 +41,7 @@ double max_across(const DiscWay& way, const WideVec2& point) {
 }
 
 /// Returns the length by which the disc extends across one element after it has travelled the
-/// length `s`, mm; negative if it does not.
+/// length `s`, mm; negative if the disc does not reach the element.
 double excess_at(const DiscWay& way, double s, const Curve<double>& element) {
   return way.radius_at(s) - element.distance(way.at(s));
 }

@@ -37,8 +37,8 @@ class PaperLoops {
   }
 
   /// Returns the intersection of element `before` at one distance with the next element at another
-  /// distance. Of two intersections it returns the point at which the next element turns to the
-  /// same side as at the wall.
+  /// distance. If there are two intersections, returns the intersection at which the path turns to
+  /// the same side as at the wall.
   [[nodiscard]] std::optional<Vector> vertex(std::uint32_t before,
                                              Scalar distance,
                                              Scalar distance_of_next) const {
@@ -57,8 +57,8 @@ class PaperLoops {
     return {};
   }
 
-  /// Returns sin(θ / 2) of the smallest vertex angle of a loop, modulo 180°; 1 if there is no
-  /// vertex.
+  /// Returns sin(θ / 2), where θ is the smallest vertex angle of a loop, modulo 180°; 1 if there is
+  /// no vertex.
   /// @pre is_loop(distance)
   [[nodiscard]] Scalar sharpest(Scalar distance) const {
     Scalar least{1};

@@ -20,7 +20,7 @@ namespace cnc::pocket {
 /// holes of this offset must not be in the area. y is less than the greatest possible value by at
 /// most 2 % of the reach, or the pass finishes the area. y is at least 0, which always satisfies
 /// the reach.
-inline constexpr double kReachSlack = 1.0e-8;  // mm
+inline constexpr double kReachSlack = 1.0e-8;  // Greatest distance beyond the reach, mm.
 template <typename Scalar>
 class StepSearch {
  public:

@@ -34,7 +34,8 @@ inline constexpr Address kFiltersOn = kBase + 0x21C;
 constexpr Address filter(unsigned bank) { return kBase + 0x240 + 8 * bank; }
 inline constexpr unsigned kMailboxes = 3;
 inline constexpr unsigned kFifos = 2;
-inline constexpr unsigned kBanks = 14;  ///< The other 14 filter banks belong to CAN2.
+/// Number of filter banks of CAN1; the other 14 banks belong to CAN2.
+inline constexpr unsigned kBanks = 14;
 
 // Bits of kControl. The same bits of kStatus acknowledge the first two.
 inline constexpr Word kInitialise = bit(0);

@@ -21,8 +21,8 @@ inline constexpr Address kMask = kBase + 0x018;
 inline constexpr Address kReceivedPop = kBase + 0x020;
 inline constexpr Address kReceiveSize = kBase + 0x024;  ///< Size in words, like all FIFO sizes.
 inline constexpr Address kGeneral = kBase + 0x038;
-/// Returns the register with the FIFO of an IN endpoint: its start in the lower half, its size in
-/// the upper half.
+/// Returns the address of the register that places the FIFO of an IN endpoint: start in the lower
+/// half, size in the upper half.
 constexpr Address transmit_size(unsigned endpoint) {
   return kBase + (endpoint == 0 ? 0x028 : 0x100 + 4 * endpoint);
 }
