@@ -25,7 +25,7 @@ struct SampleDensity {
 /// Samples a piece from its start to its end, as densely as `density` requires.
 /// @param room storage for the samples.
 /// @return the number of samples; 0 if `room` is too small; 1 if the curve jumps or turns too
-/// sharply for the resolution of its parameter.
+///     sharply for the resolution of its parameter.
 [[nodiscard]] std::size_t sample_curve(const CurvePiece& piece,
                                        const SampleDensity& density,
                                        std::span<CurveSample> room);

@@ -182,7 +182,7 @@ std::size_t FewestArcs::finish_at_place(std::size_t index) {
 /// Returns the greatest deviation of the samples after `from` from the biarc, mm; any value above
 /// `bound` if the deviation exceeds `bound`.
 /// @param worst number of the sample that is checked first; set to the sample with the greatest
-/// deviation found
+///     deviation found
 double FewestArcs::deviation(const BiarcGauge& gauge,
                              double from,
                              double bound,

@@ -59,8 +59,9 @@ class ToleranceBand {
   /// the allowed curvatures.
   [[nodiscard]] BandReach farthest(const BandStart& start, double stop) const;
   [[nodiscard]] BandReach farthest(const BandStart& start) const { return farthest(start, last()); }
-  /// Returns the distance of a point of the curve from a circle; kNoFit if the circle runs in
-  /// another direction. The function is inline, because most of the time of a fit is spent here.
+  /// Returns the distance of a point of the curve from a circle; kNoFit if the directions of the
+  /// circle and of the curve differ too much. The function is inline, because most of the time of a
+  /// fit is spent here.
   [[nodiscard]] static double distance(const WideTangentCircle& circle, const WayPoint& point) {
     if (agreement(circle, point) < 0.5 * kMinAgreement) return kNoFit;
     return std::abs(circle.across(point.place));

@@ -11,7 +11,7 @@ namespace cnc {
 
 /// Converts a spline to a chain of arcs, one arc at a time, with as few arcs as possible. Each
 /// biarc begins where the last biarc ended, on the curve and with the curve's tangent. Of the
-/// biarcs with all possible joints, the fit takes the one that reaches farthest.
+/// biarcs with all possible joints, the fit takes the biarc that reaches farthest along the curve.
 ///
 /// Guarantees, for splines up to kLargestSplineMm across:
 /// * The chain begins and ends exactly where the spline does, and its elements join exactly.

@@ -50,13 +50,13 @@ struct AnnealingPoint {
 /// tries. The run ends after 300 temperatures or below θ = 0.001. This code has the following
 /// properties where the paper is silent or wrong:
 /// * The sign of ΔC: better paths are accepted, and worse paths with probability e^(−ΔC/θ). As
-/// printed, the program would search for the longest path.
+///   printed, the program would search for the longest path.
 /// * nLIMIT, the number of accepted changes that ends a temperature, is 10 N, as in `anneal` of
-/// Numerical Recipes, whose scheme the paper uses. N is the number of contours, including home.
+///   Numerical Recipes, whose scheme the paper uses. N is the number of contours, including home.
 /// * Costs are divided by `unit`, the side of the square that contains all points, because θ = 1.5
-/// has a meaning only on the unit square.
+///   has a meaning only on the unit square.
 /// * The path is a tour with a fixed home. Paths that violate precedence are rejected; the paper
-/// does not mention precedence.
+///   does not mention precedence.
 /// * A contour that must come before another contour is inner; all other contours are outer.
 template <LegCost Cost>
 class Annealing {

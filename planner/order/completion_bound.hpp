@@ -80,7 +80,7 @@ class CompletionBound {
 
   /// Evaluates the present prices and changes them once.
   /// @param home candidate where the tour begins and ends
-  /// @return false if further calls are useless
+  /// @return false if all rounds are used, or if further calls would hardly raise the bound
   bool raise(Index home, double known_cost) {
     const double bound = find(home);
     if (bound > best_) {

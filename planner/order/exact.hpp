@@ -63,16 +63,16 @@ class Exact {
  private:
   using State = ExactSpace::State;
   static constexpr double kInfinite = std::numeric_limits<double>::infinity();
-  /// Share of the known cost by which a tour must be cheaper to count as cheaper; less may be
-  /// rounding.
+  /// Share of the known cost by which a tour must be cheaper to count as cheaper. A smaller
+  /// difference may be rounding.
   static constexpr double kRounding = 1.0e-9;
   // Up to this number of sets, more rounds of the bound take longer than the better bound saves.
   static constexpr Index kFewSets = 20;
   static constexpr int kRoundsOfFew = 15;
   static constexpr int kRounds = 60;
 
-  /// Returns the cost from which on a bound excludes a state, because the state leads to no cheaper
-  /// tour.
+  /// Returns the cost that the bound of a state must be below. Otherwise the state leads to no
+  /// cheaper tour.
   [[nodiscard]] double limit() const { return best_cost_ - kRounding * std::abs(best_cost_); }
 
   void begin();

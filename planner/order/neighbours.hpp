@@ -92,7 +92,7 @@ struct CandidatePlaces {
 /// Finds neighbours by distance in the plane. The distance of two sets is that of their nearest
 /// points.
 /// @param tree tree of all entries and, unless contours are closed, of all exits after them; all
-/// points are present
+///     points are present
 /// @param set_of the set of each candidate
 inline Neighbours find_neighbours(const Problem& problem,
                                   const CandidatePlaces& places,

@@ -77,8 +77,8 @@ bool AreaDistance::is_inside(const WideVec2& place, std::uint32_t element) const
   // −`before.curvature`.
   if (is_cusp) return before.curvature + after.curvature > 0.0;
   // An element of a few nanometres has tangents with errors far above kStraight, so the sign of a
-  // small turn is unreliable. `place` is then nearly at a right angle to the boundary, and its side
-  // of the tangent decides.
+  // small turn is unreliable. The line from the corner to `place` is then nearly at a right angle
+  // to the boundary, and its side of the boundary decides.
   constexpr double kNearlyStraight = 1.0e-3;
   const bool is_straight =
       std::abs(turn) <= kNearlyStraight && before.end_tangent.dot(after.start_tangent) > 0.0;

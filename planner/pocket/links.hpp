@@ -47,7 +47,7 @@ class LinkSearch {
   /// Guarantee: no point of the link is outside the area by more than 1e-7 mm. Time: number of
   /// elements within six radii times the number of links that are tried, at most 64.
   /// @param left_out  for each loop of the area, whether links must not lead to it; an empty slice
-  /// excludes no loop
+  ///     excludes no loop
   /// @pre 0 < tool_radius
   [[nodiscard]] std::optional<Link<Scalar>> find(const Pose<Scalar>& from,
                                                  contour::Slice<const bool> left_out,

@@ -29,8 +29,8 @@ struct Answer {
   std::span<const std::byte> data{};  ///< Data to send, at most the requested number of bytes.
 };
 
-/// Computes a serial line's answer to each request, without access to registers. Used in one
-/// context at a time.
+/// Computes the answers of a USB serial line to the requests of the host, without access to
+/// registers. Used in one context at a time.
 class Device {
  public:
   static constexpr std::size_t kLineCodingBytes = 7;

@@ -19,7 +19,8 @@ inline constexpr Address kResets = kBase + 0x010;
 inline constexpr Address kStatus = kBase + 0x014;
 inline constexpr Address kMask = kBase + 0x018;
 inline constexpr Address kReceivedPop = kBase + 0x020;
-inline constexpr Address kReceiveSize = kBase + 0x024;  ///< Size in words, like all FIFO sizes.
+/// Register with the size of the receive FIFO, in words, like all FIFO sizes.
+inline constexpr Address kReceiveSize = kBase + 0x024;
 inline constexpr Address kGeneral = kBase + 0x038;
 /// Returns the address of the register that places the FIFO of an IN endpoint: start in the lower
 /// half, size in the upper half.
