@@ -41,7 +41,8 @@ class FileStore final : public MemoryStore {
   void release();
 
   std::string path_;
-  int lock_ = -1;  ///< Descriptor of the locked file to which `path_` leads; -1: none.
+  /// Descriptor of the locked file to which `path_` leads; -1 if no file is locked.
+  int lock_ = -1;
 };
 
 }  // namespace hal::host

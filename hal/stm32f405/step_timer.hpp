@@ -77,7 +77,7 @@ class StepTimer {
   }
 
   /// Returns the tick to which the present outputs of the interrupt belong, without the delay of
-  /// the edges. A debugger reads it here. Any context.
+  /// the edges. The reference tells a debugger where the tick is stored. Any context.
   [[nodiscard]] constexpr const TickCount& due() const noexcept { return due_; }
 
   /// Notes the time of an edge. Called from `play` after pins have changed.

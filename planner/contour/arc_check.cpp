@@ -31,7 +31,7 @@ ArcDistance distance_from(const Curve<double>& arc, const WayPoint& point) {
 }
 
 bool is_half_a_turn_at_most(const Curve<double>& arc) {
-  constexpr double kMinCosine = 1.0e-3;  // Least cosine of half the sweep.
+  constexpr double kMinCosine = 1.0e-3;  // Least cosine of half the sweep of an arc.
   const WideVec2 chord = arc.end - arc.start;
   const double length = chord.norm();
   return length < kPlaceChord || chord.dot(arc.start_tangent) >= kMinCosine * length;

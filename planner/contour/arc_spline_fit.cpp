@@ -25,7 +25,7 @@ constexpr int kMaxPolygons = 4;
 constexpr double kMinChord = 1.0e-9;
 
 bool within_half_a_turn(const WideVec2& chord, const WideVec2& tangent) {
-  constexpr double kMinCosine = 1.0e-3;  // Least cosine of half the sweep.
+  constexpr double kMinCosine = 1.0e-3;  // Least cosine of half the sweep of an arc.
   return chord.dot(tangent) >= kMinCosine * chord.norm();
 }
 

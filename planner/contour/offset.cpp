@@ -17,7 +17,7 @@ namespace {
 template <typename Scalar>
 Scalar reach_of(const ContourView<Scalar>& input) {
   Scalar most{};
-  Scalar faults{};  // Sum that stays 0 until a value is not finite; then it is NaN.
+  Scalar faults{};  // Stays 0 while all values are finite; otherwise it becomes NaN.
   for (const Vertex<Scalar>& vertex : input.vertices) {
     most = std::max(most, std::max(std::abs(vertex.x), std::abs(vertex.y)));
     faults += Scalar{0} * (vertex.x + vertex.y + vertex.bulge);

@@ -89,9 +89,10 @@ class ArcFit {
   float tolerance_mm_;
   float last_distance_ = 0.0F;
   Step step_ = Step::kReach;
-  std::uint8_t times_ = 0;  ///< Number of steps of this kind so far for the element.
-  Reach reach_{};           ///< Farthest biarc found so far that fits.
-  float distance_ = 0.0F;   ///< Next distance to be tried, in knots.
+  /// Number of steps of the present kind (`step_`) so far for the element.
+  std::uint8_t times_ = 0;
+  Reach reach_{};          ///< Farthest biarc found so far that fits.
+  float distance_ = 0.0F;  ///< Next distance to be tried, in knots.
   float out_of_reach_ = 0.0F;
   float found_mm_ = 0.0F;  ///< Deviation that the last close comparison found, mm.
   bool bounded_ = false;   ///< Whether some tried distance was out of reach.

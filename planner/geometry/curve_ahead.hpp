@@ -65,7 +65,8 @@ class CurveAhead {
   PlanePlace origin_{};
   Vec2 tangent_{1.0F, 0.0F};
   std::size_t prepared_ = 0;
-  /// Bézier curves of the segments in view. The first one begins at `parameter_`.
+  /// Bézier curves of the segments in view. The first curve begins at the present point, at
+  /// `parameter_` of its segment.
   std::array<Bezier, kMaxPieces> beziers_{};
   std::array<BezierView, kMaxPieces> views_{};
 };

@@ -54,7 +54,7 @@ class NearestSets {
     Index at = 0;
     while (at < count_ && found_[at].set != set) ++at;
     if (at == count_ && count_ < width_) ++count_;
-    if (at == count_) --at;  // The set replaces the farthest set.
+    if (at == count_) --at;  // The offered set replaces the farthest set.
     if (found_[at].set == set && found_[at].distance <= distance) return;
     for (; at > 0 && is_before({distance, set}, found_[at - 1]); --at) found_[at] = found_[at - 1];
     found_[at] = {distance, set};

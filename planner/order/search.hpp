@@ -120,7 +120,8 @@ class Search {
   static constexpr Index kSetsToKeep = 64;
   /// Number of trials after which the cost is recomputed, to remove accumulated rounding errors.
   static constexpr std::uint64_t kRecount = 1U << 16U;
-  /// Number of sets before and after a set whose candidates are chosen again.
+  /// Number of sets before and after a tried set whose candidates are chosen again together with
+  /// its own.
   static constexpr Index kReach = 2;
   /// Greatest number of sets for which all candidates are chosen again.
   static constexpr Index kFewSets = 64;

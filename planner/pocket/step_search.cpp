@@ -31,7 +31,8 @@ Scalar sharpest_sine(const ContourView<Scalar>& area) {
   Scalar least{1};
   for_each_corner(area, [&least](const auto& before, const auto& after) {
     if (cross(before.end_tangent, after.start_tangent) <= Scalar{0}) return;
-    // Half of the angle plus half of the turn is 90°.
+    // Half of the angle plus half of the turn is 90°, so the sine of the one is the cosine of the
+    // other.
     const Scalar cosine = before.end_tangent.dot(after.start_tangent);
     least = std::min(least, std::sqrt(std::max(Scalar{0}, Scalar{0.5} * (cosine + Scalar{1}))));
   });

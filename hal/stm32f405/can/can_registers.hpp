@@ -55,8 +55,8 @@ inline constexpr Word kPending = 3;
 inline constexpr Word kOverrun = bit(4);
 inline constexpr Word kRelease = bit(5);
 // Bits of kInterrupts.
-inline constexpr Word kAllInterrupts =
-    bit(0) | bit(1) | bit(4) | bit(10) | bit(15);  ///< Empty mailbox, two FIFOs, bus-off, errors.
+/// Interrupts of an empty mailbox, of frames in both FIFOs, of bus-off and of errors.
+inline constexpr Word kAllInterrupts = bit(0) | bit(1) | bit(4) | bit(10) | bit(15);
 // Bits of kErrors.
 inline constexpr Word kWarning = bit(0);
 inline constexpr Word kPassive = bit(1);

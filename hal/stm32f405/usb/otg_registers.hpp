@@ -33,7 +33,9 @@ inline constexpr Address kDeviceConfig = kBase + 0x800;
 inline constexpr Address kDeviceControl = kBase + 0x804;
 inline constexpr Address kInMask = kBase + 0x810;
 inline constexpr Address kOutMask = kBase + 0x814;
-inline constexpr Address kEndpoints = kBase + 0x818;  ///< OUT endpoints have the bits from 16 on.
+/// Register of the endpoints' interrupts: bits from 0 on for IN endpoints, from 16 on for OUT
+/// endpoints.
+inline constexpr Address kEndpoints = kBase + 0x818;
 inline constexpr Address kEndpointsMask = kBase + 0x81C;
 constexpr Address in_control(unsigned endpoint) { return kBase + 0x900 + 0x20 * endpoint; }
 constexpr Address in_status(unsigned endpoint) { return kBase + 0x908 + 0x20 * endpoint; }
@@ -51,7 +53,8 @@ inline constexpr unsigned kFifoWords = 320;
 inline constexpr Word kInterruptOn = bit(0);
 // Bits of kUsbConfig.
 inline constexpr Word kPhysical = bit(6);
-inline constexpr Word kTurnaround = 6 << 10;  ///< For a bus clock of 32 MHz or more, table 202.
+/// Turnaround time for a bus clock of 32 MHz or more, table 202.
+inline constexpr Word kTurnaround = 6 << 10;
 inline constexpr Word kForceDevice = bit(30);
 // Bits of kResets.
 inline constexpr Word kCoreReset = bit(0);
