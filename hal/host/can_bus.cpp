@@ -7,8 +7,8 @@ namespace hal::host {
 namespace {
 
 constexpr unsigned kAfterTheData =
-    1 + 1 + 1 + 7 + 3;                      ///< Bits: delimiters, acknowledgement, end, silence.
-constexpr unsigned kErrorBits = 6 + 8 + 3;  ///< Bits: error flag, error delimiter, silence.
+    1 + 1 + 1 + 7 + 3;  ///< Bits of CRC delimiter, acknowledgement, its delimiter, end, silence.
+constexpr unsigned kErrorBits = 6 + 8 + 3;  ///< Bits of error flag, error delimiter, silence.
 constexpr unsigned kErrorOfSender = 8;
 constexpr unsigned kPassive = 128;
 constexpr unsigned kWarning = 96;

@@ -11,8 +11,8 @@
 
 namespace hal::host {
 
-/// Returns the number of bits of a standard frame on the wire, including stuffed bits. They extend
-/// from its start to the end of the silence after it (ISO 11898-1).
+/// Returns the number of bits of a standard frame on the wire, including stuffed bits. The count
+/// extends from the start of the frame to the end of the silence after it (ISO 11898-1).
 /// @pre `frame` has an identifier of 11 bits
 [[nodiscard]] unsigned can_bits(const CanFrame& frame);
 
@@ -22,8 +22,8 @@ namespace hal::host {
 /// forever.
 class CanBus {
  public:
-  /// A node on the bus. It behaves like the controller's driver: it sends frames in order and
-  /// queues up to 32 frames in each direction.
+  /// A node on the bus. It behaves like the controller's driver: it sends frames in the order of
+  /// the calls and queues up to 32 frames in each direction.
   class Node final : public CanPort {
    public:
     explicit Node(CanBus& bus) : bus_{bus} {}

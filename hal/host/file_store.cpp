@@ -111,7 +111,7 @@ FileStore::FileStore(std::string path) : path_{std::move(path)} {
     if (open_and_lock()) read();
   } catch (const std::exception& error) {
     release();
-    // A reason that concerns a line of the file already begins with a colon.
+    // A reason that concerns a line of the file begins with a colon and the number of the line.
     const std::string reason = error.what();
     throw std::runtime_error(path_ + (reason.starts_with(':') ? "" : ": ") + reason);
   }
@@ -125,7 +125,7 @@ void FileStore::release() {
 }
 
 bool FileStore::open_and_lock() {
-  // Another process may replace the file between opening and locking.
+  // Another process may replace the file between opening and locking, so both are repeated.
   constexpr int kMaxTries = 100;
   const std::string target = without_links(path_);
   for (int i = 0; i < kMaxTries; ++i) {

@@ -20,10 +20,10 @@ namespace hal::host {
 /// contain only records, can be read, too.
 class FileStore final : public MemoryStore {
  public:
-  /// Reads the file, or creates it if it does not exist. Throws std::runtime_error, which names the
-  /// file and the wrong line, if any. Throws if the file is empty, damaged, truncated, not a store,
-  /// or locked by another process, or if it cannot be opened or written. Damage is never mistaken
-  /// for missing records.
+  /// Reads the file, or creates it if it does not exist. Throws std::runtime_error if the file is
+  /// empty, damaged, truncated, not a store, or locked by another process, or if it cannot be
+  /// opened or written. The text of the exception names the file and, if a line is wrong, this
+  /// line. Damage is never mistaken for missing records.
   explicit FileStore(std::string path);
   ~FileStore();
   FileStore(const FileStore&) = delete;
@@ -41,7 +41,8 @@ class FileStore final : public MemoryStore {
   void release();
 
   std::string path_;
-  int lock_ = -1;  ///< Descriptor of the locked file to which `path_` leads; -1: none.
+  /// Descriptor of the locked file to which `path_` leads; -1 if no file is locked.
+  int lock_ = -1;
 };
 
 }  // namespace hal::host

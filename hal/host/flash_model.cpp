@@ -24,8 +24,8 @@ struct Tear {
   std::uint32_t unsteady;
 };
 
-/// Returns the effect of a random cut. A cut comes early, late or in the middle of the operation:
-/// few of the bits have changed, most of them, or half.
+/// Returns the effect of a random cut. `mood` selects the moment of the cut within the operation:
+/// few, most, half or all of the bits have changed.
 Tear tear(std::mt19937_64& random, CutKind kind, unsigned mood) {
   const auto word = [&random] { return static_cast<std::uint32_t>(random()); };
   const auto few = [&word] {

@@ -50,7 +50,7 @@ class FlashModel final : public FlashSectors {
   [[nodiscard]] bool erase(std::size_t sector) override;
 
   using Watcher = std::function<void(const FlashModel& before, const FlashOperation& next)>;
-  /// Calls `watcher` just before each operation; null ends the calls.
+  /// Calls `watcher` just before each operation. A null `watcher` ends the calls.
   void watch(Watcher watcher) { watcher_ = std::move(watcher); }
   /// Makes the flash refuse every operation after the next `operations`, as worn or locked flash
   /// does.

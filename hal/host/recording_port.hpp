@@ -80,8 +80,10 @@ class RecordingPort final : public AuxiliaryOutputs, public MachineInputs {
   }
 
   // State of the machine: outputs that the machine reads, and inputs that the machine sets.
-  std::array<std::int32_t, kMotors> position{};         ///< Steps since power-up.
-  std::array<std::int32_t, kMotors> second_position{};  ///< Steps of second motors since power-up.
+  /// Position of each first motor, in steps since power-up.
+  std::array<std::int32_t, kMotors> position{};
+  /// Position of each second motor, in steps since power-up.
+  std::array<std::int32_t, kMotors> second_position{};
   std::array<std::uint16_t, 4> analog{};
   std::uint16_t power = 0;
   std::uint8_t digital = 0;
@@ -89,11 +91,13 @@ class RecordingPort final : public AuxiliaryOutputs, public MachineInputs {
   bool spindle_reversed = false;
   bool mist = false;
   bool flood = false;
-  bool changed = false;        ///< A motor stepped or the power changed; cleared by the reader.
-  bool timer_started = false;  ///< A start of the timer was requested; cleared by the reader.
+  /// Whether a motor has stepped or the power has changed; the reader clears it.
+  bool changed = false;
+  /// Whether a start of the timer was requested; the reader clears it.
+  bool timer_started = false;
   bool probe = false;
   SwitchMask limits{};
-  std::uint8_t motors_enabled = 0;  ///< Bit i: the motor of axis i has current.
+  std::uint8_t motors_enabled = 0;  ///< Bit i is 1 if the motor of axis i has current.
   InputState panel{};               ///< Door and buttons, set by the simulation of the operator.
 
  private:
@@ -110,8 +114,8 @@ class RecordingPort final : public AuxiliaryOutputs, public MachineInputs {
     return ones;
   }();
 
-  /// Counts the steps of all motors without a branch for each motor, because the pattern of steps
-  /// cannot be predicted. A lookup table is faster than a shift for each motor.
+  /// Counts the steps of all motors without a branch for each motor, because the processor could
+  /// not predict such branches. A lookup table is faster than a shift for each motor.
   void count_steps(AxisMask axes, Steps& steps) const noexcept {
     const Steps& forward = kOnes[axes.bits & ~negative_.bits & (kOnes.size() - 1)];
     const Steps& backward = kOnes[axes.bits & negative_.bits & (kOnes.size() - 1)];

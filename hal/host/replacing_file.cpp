@@ -28,8 +28,8 @@ struct Unfinished {
   std::atomic<bool> named{false};
   std::array<char, 4096> name{};
 };
-// The array has more entries than a command writes files at a time. A file without a free entry is
-// still written, but not removed on a signal.
+// The array has more entries than the number of files that a command writes at the same time. A
+// file for which no entry is free is still written, but a signal does not remove it.
 std::array<Unfinished, 16> unfinished;
 
 void keep_name(const std::string& name) {
@@ -52,8 +52,8 @@ void forget_name(const std::string& name) {
 /// Signals with which a user ends a command.
 constexpr std::array kEndingSignals{SIGINT, SIGTERM, SIGHUP};
 
-/// Blocks kEndingSignals in this thread while the object exists. So a created file's name is
-/// registered before a signal handler reads the names.
+/// Blocks kEndingSignals in this thread while the object exists. A signal thus cannot come between
+/// the creation of a file and the registration of its name.
 class SignalsHeldBack {
  public:
   SignalsHeldBack() {
@@ -78,8 +78,8 @@ void remove_and_end(int signal) {
   static_cast<void>(::raise(signal));
 }
 
-/// Returns the number of the process's own open file that `path` names; nothing if `path` names
-/// none.
+/// Returns the number of the process's open descriptor that `path` names; nothing if `path` names
+/// no descriptor.
 std::optional<int> own_stream(std::string_view path) {
   if (path == "/dev/stdout") return STDOUT_FILENO;
   if (path == "/dev/stderr") return STDERR_FILENO;
@@ -121,7 +121,7 @@ std::string without_links(const std::string& path) {
     std::error_code is_none;
     const std::filesystem::path next = std::filesystem::read_symlink(followed, is_none);
     if (is_none) return followed.string();
-    followed = followed.parent_path() / next;  // An absolute `next` replaces the complete path.
+    followed = followed.parent_path() / next;  // If `next` is absolute, the result is `next` alone.
   }
   throw std::system_error{ELOOP, std::generic_category(), path};
 }
@@ -160,7 +160,7 @@ void ReplacingFile::open_in_place() {
 
 void ReplacingFile::open_beside() {
   static std::atomic<unsigned> count{0};
-  // Killed processes with the same process number may have left files.
+  // Killed processes with the same process number may have left files, so several names are tried.
   constexpr int kMaxNames = 1000;
   const std::string folder = std::filesystem::path{target_}.parent_path().string();
   const SignalsHeldBack held_back;
@@ -214,8 +214,8 @@ bool ReplacingFile::commit_as_new() {
   if (::renameat2(AT_FDCWD, beside_.c_str(), AT_FDCWD, target_.c_str(), RENAME_NOREPLACE) != 0) {
     if (errno == EEXIST) return false;
     if (errno != EINVAL && errno != ENOSYS) fail("cannot create");
-    // This file system cannot refuse to rename over an existing file. A file that another process
-    // has just created is then replaced.
+    // This file system cannot refuse to rename over an existing file. So a file that another
+    // process has just created is replaced here.
     if (std::rename(beside_.c_str(), target_.c_str()) != 0) fail("cannot create");
   }
   forget_name(beside_);

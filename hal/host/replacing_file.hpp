@@ -54,7 +54,7 @@ class ReplacingFile {
   std::string target_;  ///< `path_` after following its symbolic links.
   std::string beside_;  ///< Path of the new file; empty if the target is written directly.
   int descriptor_ = -1;
-  bool replaces_ = false;  ///< The target existed when this object was created.
+  bool replaces_ = false;  ///< Whether the target existed when this object was created.
   bool committed_ = false;
 };
 

@@ -63,7 +63,8 @@ bool Slcan::obey(std::string_view line) {
       to_say_ += "NKERF";
       return true;
     case 'Z':
-      return line == "Z0";  // Time stamps of frames are not supported.
+      // Only "off" is accepted, because time stamps of frames are not supported.
+      return line == "Z0";
     default:
       return false;
   }

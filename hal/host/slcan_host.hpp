@@ -44,8 +44,8 @@ class SlcanHost final : public CanPort {
   void take_line();
 
   std::string line_;
-  // Ends a line that an earlier program may have left open, closes its channel and opens a new
-  // channel.
+  // Initial commands: they end a line that an earlier program may have left open, close the channel
+  // and open it at 1 Mbit/s.
   std::string to_say_{"\rC\rS8\rO\r"};
   std::deque<CanFrame> received_;
   CanHealth counts_{};

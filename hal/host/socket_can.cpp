@@ -139,8 +139,8 @@ void SocketCan::hear_only(std::span<const std::uint32_t> heard, std::size_t /*ur
   constexpr can_err_mask_t kErrors = CAN_ERR_CRTL | CAN_ERR_BUSOFF | CAN_ERR_RESTARTED;
   std::vector<can_filter> filters;
   for (const std::uint32_t id : heard) {
-    // The mask must not contain the error flag, because the kernel would then filter error frames
-    // instead.
+    // The mask must not contain the error flag, because the kernel would then apply the filter to
+    // error frames and not to data frames.
     filters.push_back(
         {.can_id = id & kLimit11, .can_mask = CAN_SFF_MASK | CAN_EFF_FLAG | CAN_RTR_FLAG});
   }
@@ -151,7 +151,8 @@ void SocketCan::hear_only(std::span<const std::uint32_t> heard, std::size_t /*ur
 }
 
 bool SocketCan::receive(CanFrame& frame) {
-  // Bounds the time of a call; further error frames wait for the next call.
+  // Greatest number of error frames in one call, which bounds its time. Further error frames wait
+  // for the next call.
   constexpr int kMaxErrors = 64;
   for (int errors = 0; errors < kMaxErrors; ++errors) {
     KernelFrame raw{};

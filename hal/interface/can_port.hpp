@@ -11,7 +11,8 @@ namespace hal {
 struct CanFrame {
   std::uint32_t id = 0;  ///< Identifier of 11 bits; of 29 bits in an extended frame.
   bool extended = false;
-  bool remote = false;      ///< Requests a frame of `length` bytes and has no data.
+  /// Whether this is a remote request: it requests a frame of `length` bytes and has no data.
+  bool remote = false;
   std::uint8_t length = 0;  ///< Number of data bytes, 0 to 8.
   std::array<std::byte, 8> data{};
 

@@ -25,7 +25,8 @@ class FlashSectors {
   /// if the word then reads differently. A word may be programmed repeatedly: this makes its
   /// unsteady zeros firm and may add zeros.
   [[nodiscard]] virtual bool program(std::size_t sector, std::size_t word, std::uint32_t value) = 0;
-  /// Erases a sector; afterwards all its words read kErased. Returns false if the flash refused.
+  /// Erases a sector; afterwards all its words read kErased. Returns false if the flash refused the
+  /// operation.
   [[nodiscard]] virtual bool erase(std::size_t sector) = 0;
 
  protected:

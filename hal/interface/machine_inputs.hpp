@@ -7,8 +7,10 @@ namespace hal {
 /// The states of the machine's switches at one moment, with their polarity already corrected: true
 /// means "limit reached", "button pressed" or "door open".
 struct InputState {
-  std::uint8_t limits = 0;         ///< Bit i: a limit switch of axis i is reached, at either end.
-  std::uint8_t second_limits = 0;  ///< Bit i: the switch of the second motor of axis i is reached.
+  /// Bit i is 1 if a limit switch of axis i is reached, at either end of the axis.
+  std::uint8_t limits = 0;
+  /// Bit i is 1 if the switch of the second motor of axis i is reached.
+  std::uint8_t second_limits = 0;
   bool probe = false;
   bool door = false;
   bool hold = false;

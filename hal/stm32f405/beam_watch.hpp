@@ -10,11 +10,11 @@ namespace hal::stm32f405 {
 /// Checks whether the beam is on at rest although it may be on only during motion. Reads only
 /// registers, because a bit in memory may have flipped.
 ///
-/// While anything moves, the next step interrupt is due at most one slice of motion ahead, and it
-/// comes in time. At rest it comes every 10 ms. If the step interrupt hangs or was never requested,
-/// it is overdue. The beam must be off at rest and when the interrupt is overdue, except for light
-/// at rest that the settings allow. For that light the duty is read from the registers, too, and
-/// the caller limits its duration.
+/// The check reads the time of the next step interrupt. While anything moves, this time is at most
+/// one slice of motion ahead, and the interrupt comes in time. At rest it is up to 10 ms ahead. If
+/// the step interrupt hangs or was never requested, it is overdue. The beam must be off at rest and
+/// when the interrupt is overdue, except for light at rest that the settings allow. The duty of
+/// this light is read from the registers, too, and the caller limits its duration.
 template <const Board& kBoard, RegisterBus Bus = MemoryBus>
 class BeamWatch {
  public:

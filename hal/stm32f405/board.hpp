@@ -43,22 +43,23 @@ struct Board {
   Pin reset{};
   Pin emergency_stop{};
 
-  Pin power{};  ///< Beam power or spindle speed: a pin of kPowerChannels.
+  Pin power{};  ///< Pin of the beam power or of the spindle speed, one of kPowerChannels.
   std::uint32_t power_hz = 5'000;
   Pin spindle_enable{};
   Pin spindle_direction{};
   Pin mist{};
   Pin flood{};
-  std::array<Pin, kDigitalOutputs> outputs{};  ///< Outputs P0 to P7 of M62 to M65.
+  /// Pins of the digital outputs P0 to P7 (M62 to M65).
+  std::array<Pin, kDigitalOutputs> outputs{};
 
   Pin transmit{};
   Pin receive{};
   std::uint32_t baud = 115'200;
 
-  bool has_usb = true;  ///< The board has a USB socket at kUsbPins.
+  bool has_usb = true;  ///< Whether the board has a USB socket at kUsbPins.
   usb::Identity usb{};
 
-  /// CAN1, to a transceiver; `can_transmit` and `can_receive` are a pair of kCanPins.
+  /// Pins of CAN1, which lead to a transceiver: one of the pairs in kCanPins.
   Pin can_transmit{};
   Pin can_receive{};
   std::uint32_t can_bit_rate = 500'000;
@@ -131,8 +132,8 @@ constexpr PinCensus pins_of(const Board& board) {
 }
 
 /// Checks that no output is a debugger's pin (PA13, PA14), because an attached debugger drives
-/// these pins. Allowed are inputs, and a pin that is held at the level of its pull-down during
-/// reset.
+/// these pins. Inputs may be debugger's pins. So may `held_low`, because its level is that of the
+/// pull-down during reset.
 constexpr bool debugger_is_left_alone(Board board) {
   for (Pin* const pin : {&board.probe,
                          &board.door,

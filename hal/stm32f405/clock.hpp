@@ -61,8 +61,8 @@ class ClockStart {
 
  private:
   static constexpr std::uint32_t kInternalHz = 16'000'000;
-  // One read takes at least 4 clocks of 16 MHz. A crystal needs 2 ms to start, up to 20 ms if it is
-  // cold.
+  // Greatest numbers of reads in a wait. One read takes at least 4 clocks of 16 MHz. A crystal
+  // needs 2 ms to start, up to 20 ms if it is cold.
   static constexpr std::uint32_t kCrystalLooks = 200'000;
   static constexpr std::uint32_t kPllLooks = 10'000;  ///< The PLL locks within 0.3 ms.
 
@@ -79,7 +79,8 @@ class ClockStart {
 
   static bool start_pll(std::uint32_t input_hz, bool crystal) noexcept {
     const Word divider = input_hz / 1'000'000;
-    const Word multiplier = 336;  // 336 MHz, which is divided by 2 for the core and by 7 for USB.
+    // Makes 336 MHz, which is divided by 2 for the core and by 7 for USB.
+    const Word multiplier = 336;
     Bus::write(rcc::kPllCfgr,
                divider | multiplier << 6 | (crystal ? rcc::kPllFromHse : 0) | Word{7} << 24);
     set<Bus>(rcc::kCr, rcc::kPllOn);

@@ -14,11 +14,11 @@
 
 namespace hal::stm32f405 {
 
-/// Facts that start-up has determined, and memory that `$I+` reports on.
+/// Facts that start-up has determined, and the stack whose use `$I+` reports.
 struct StartReport {
   Clocks clocks{};
   ResetCause cause = ResetCause::kUnknown;
-  FaultRecord fault{};  ///< Valid if `cause` is ResetCause::kFault.
+  FaultRecord fault{};  ///< Record of the fault; valid if `cause` is ResetCause::kFault.
   std::uint32_t image_bytes = 0;
   std::uint32_t image_checksum = 0;  ///< CRC-32 of the image.
   std::span<const std::uint32_t> stack{};

@@ -58,7 +58,8 @@ class Flash final : public FlashSectors {
   /// Only the first 16 KiB of a sector are used, because a log is searched from its start and
   /// larger sectors would take longer.
   static constexpr std::size_t kWords = 16 * kKib / 4;
-  // One read takes some ten clocks of 168 MHz, unless the flash stops the core.
+  // Greatest numbers of reads in a wait. One read takes some ten clocks of 168 MHz, unless the
+  // flash stops the core.
   static constexpr std::uint32_t kProgramLooks = 100'000;
   static constexpr std::uint32_t kEraseLooks = 100'000'000;
 

@@ -83,8 +83,8 @@ struct PinSetUp {
   }
 
  private:
-  /// Up to 25 MHz: edges of some 10 ns are fast enough for drivers and too slow to make long cables
-  /// ring.
+  /// Speed setting for signals up to 25 MHz. Its edges of some 10 ns are fast enough for drivers
+  /// and too slow to make long cables ring.
   static constexpr Word kMediumSpeed = 1;
   static constexpr Word kLowSpeed = 0;
 

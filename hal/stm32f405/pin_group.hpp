@@ -53,7 +53,8 @@ class PinGroup {
     for_ports([&]<unsigned kPort>() { inverted_[kPort] = pins_on<kPort>(axes, axes); });
   }
 
-  /// Drives the pins of these axes to their active level and leaves all other pins unchanged.
+  /// Drives the pins of the axes in `first` (first motors) and `second` (second motors) to their
+  /// active level. Leaves all other pins unchanged.
   void raise(std::uint8_t first, std::uint8_t second) noexcept {
     for_ports([&]<unsigned kPort>() {
       const Word pins = pins_on<kPort>(first, second);
@@ -62,8 +63,8 @@ class PinGroup {
     });
   }
 
-  /// Drives the pins of these axes to their active level and all other pins to their inactive
-  /// level.
+  /// Drives the pins of the axes in `first` (first motors) and `second` (second motors) to their
+  /// active level, and all other pins to their inactive level.
   void drive(std::uint8_t first, std::uint8_t second) noexcept {
     for_ports([&]<unsigned kPort>() {
       const Word high = pins_on<kPort>(first, second) ^ inverted_[kPort];

@@ -113,9 +113,8 @@ class Port final : public AuxiliaryOutputs, public MachineInputs {
     PinSetUp<Bus>::write(kBoard.motors_enable, (axes != 0) == ((polarity_.enables & 1U) != 0));
   }
 
-  // Functions of MachineInputs.
-  /// Reads all inputs. Also reports an emergency stop if the clock is too slow for the step
-  /// interrupt, or after refuse_motion(), because nothing may move then.
+  // Function of MachineInputs. Reads all inputs. Also reports an emergency stop if the clock is too
+  // slow for the step interrupt, or after refuse_motion(), because nothing may move then.
   [[nodiscard]] InputState read_inputs() override {
     InputState state = inputs_.read();
     if (clocks_.source == ClockSource::kSlow || refuses_motion_) state.emergency_stop = true;

@@ -14,7 +14,7 @@ inline constexpr std::uint32_t kGuardBytes = 256;
 /// @param guard start of the guard, a multiple of kGuardBytes
 template <RegisterBus Bus>
 void guard_stack(Address guard) noexcept {
-  constexpr Word kBytes = 7 << 1;   // Size of 2^(7 + 1) bytes.
+  constexpr Word kBytes = 7 << 1;   // Size field 7: a region of 2^(7 + 1) bytes.
   constexpr Word kNever = bit(28);  // Forbids execution; access code 0 forbids reads and writes.
   constexpr Word kOn = 1;
   constexpr Word kRestAsWithout = 4;

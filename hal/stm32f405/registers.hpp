@@ -87,7 +87,8 @@ inline constexpr Address kMemory = 0x0800'0000;
 
 inline constexpr Word kFirstKey = 0x4567'0123;
 inline constexpr Word kSecondKey = 0xCDEF'89AB;
-inline constexpr Word kFiveWaitStates = 5;  ///< For 150 to 168 MHz at 2.7 to 3.6 V, table 10.
+/// Setting for 150 to 168 MHz at 2.7 to 3.6 V, table 10.
+inline constexpr Word kFiveWaitStates = 5;
 inline constexpr Word kPrefetch = bit(8);
 inline constexpr Word kInstructionCache = bit(9);
 inline constexpr Word kDataCache = bit(10);
@@ -171,8 +172,8 @@ inline constexpr Word kRoomInterrupt = bit(7);
 inline constexpr Word kOn = bit(13);
 }  // namespace usart
 
-/// Independent watchdog, chapter 21. Its clock is 32 kHz, but 17 to 47 kHz over all chips and
-/// temperatures.
+/// Independent watchdog, chapter 21. Its clock has nominally 32 kHz, but 17 to 47 kHz over all
+/// chips and temperatures.
 namespace watchdog {
 inline constexpr Address kBase = 0x4000'3000;
 inline constexpr Address kKey = kBase + 0x00;
@@ -187,7 +188,8 @@ inline constexpr Word kBegin = 0xCCCC;
 /// Identification of the chip, chapters 38 and 39.
 inline constexpr Address kDeviceCode = 0xE004'2000;
 inline constexpr Address kUniqueId = 0x1FFF'7A10;
-inline constexpr Address kFlashSize = 0x1FFF'7A20;     ///< Size in KiB, in the upper half.
+/// Address of the flash size in KiB, in the upper half of the word.
+inline constexpr Address kFlashSize = 0x1FFF'7A20;
 inline constexpr Address kSystemMemory = 0x1FFF'0000;  ///< Address of ST's boot loader, table 3.
 
 /// Registers of the core: system control, system timer, interrupts, memory protection.
@@ -212,8 +214,8 @@ inline constexpr Address kRegionSize = 0xE000'EDA0;
 
 inline constexpr Word kResetNow = 0x05FA'0004;
 inline constexpr Word kFpuOn = 0xF << 20;
-inline constexpr Word kFaultsOn = 7 << 16;  ///< Separate memory, bus and usage faults.
-inline constexpr Word kTickOn = 7;          ///< Core clocks are counted; interrupts are on.
+inline constexpr Word kFaultsOn = 7 << 16;  ///< Enables separate memory, bus and usage faults.
+inline constexpr Word kTickOn = 7;          ///< Counts core clocks, with interrupts on.
 }  // namespace core
 
 /// Positions in the vector table after the core's sixteen entries, table 62.

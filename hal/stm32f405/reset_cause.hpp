@@ -26,7 +26,8 @@ struct FaultRecord {
   std::uint32_t mark;
   Fault fault;
   std::uint8_t exception;  ///< Number of the core's exception; 0 if the fault was no exception.
-  std::uint32_t place;     ///< Address in the program, 0 if unknown; for kBeam: ticks_left().
+  /// Address in the program, 0 if unknown. For kBeam: StepTimer::ticks_left() at the fault.
+  std::uint32_t place;
 };
 
 enum class ResetCause : std::uint8_t {

@@ -81,7 +81,8 @@ class SerialLine final : public ByteStream {
     for (std::uint32_t byte = 0; byte < kMaxAtOnce; ++byte) {
       const Word status = Bus::read(kPins.base + usart::kStatus);
       if ((status & (usart::kReceived | usart::kDamaged)) == 0) break;
-      // Reading the data register after the status register clears both flags.
+      // Reading the data register after the status register clears the flags of received bytes and
+      // of errors.
       const auto data = static_cast<std::byte>(Bus::read(kPins.base + usart::kData) & 0xFFU);
       keep((status & usart::kDamaged) != 0 ? kLostByte : data, (status & usart::kDamaged) != 0);
     }
@@ -124,7 +125,7 @@ class SerialLine final : public ByteStream {
   SpscRing<std::byte, ByteRings::kSendBytes>& to_send_;
   TurnMarks marks_{};
   std::atomic<std::uint32_t> lost_{0};
-  bool gap_ = false;  ///< A byte was dropped, and kLostByte is not stored in its place yet.
+  bool gap_ = false;  ///< Whether a byte was dropped and kLostByte is not stored in its place yet.
 };
 
 }  // namespace hal::stm32f405

@@ -11,7 +11,7 @@
 namespace hal::stm32f405 {
 
 /// Vector table, at the start of the image: the initial stack pointer, then the handler of each
-/// exception and interrupt. Aligned as VTOR requires.
+/// exception and interrupt. The table is aligned as VTOR requires.
 struct alignas(512) VectorTable {
   /// Number of entries of the core; the first is reset.
   static constexpr std::size_t kCoreEntries = 15;

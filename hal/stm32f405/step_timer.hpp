@@ -30,14 +30,14 @@ class StepTimer {
   static constexpr std::uint32_t kTicksPerSecond = 4'000'000;
   static constexpr std::uint32_t kRestTicks = kTicksPerSecond / 100;
   static constexpr std::uint32_t kTurnTicks = kTicksPerSecond / 1000;
-  static constexpr unsigned kPriority = 1;  ///< Less urgent than the interrupts that handle faults.
+  static constexpr unsigned kPriority = 1;  ///< Priority below that of the fault handlers.
 
   /// Sets up the timer. Called once, with interrupts off.
   static void set_up(const Clocks& clocks) noexcept {
     set<Bus>(rcc::kApb1Enr, bit(0));
     Bus::write(timer::kTim2 + timer::kPrescaler, clocks.apb1_timers / kTicksPerSecond - 1);
     Bus::write(timer::kTim2 + timer::kReload, 0xFFFF'FFFF);
-    Bus::write(timer::kTim2 + timer::kEvents, timer::kUpdate);  // Loads the prescaler.
+    Bus::write(timer::kTim2 + timer::kEvents, timer::kUpdate);  // This event loads the prescaler.
     Bus::write(timer::kTim2 + timer::compare(1), kRestTicks);
     Bus::write(timer::kTim2 + timer::kStatus, 0);
     Bus::write(timer::kTim2 + timer::kInterrupts, timer::kCompare1);
@@ -77,7 +77,7 @@ class StepTimer {
   }
 
   /// Returns the tick to which the present outputs of the interrupt belong, without the delay of
-  /// the edges. A debugger reads it here. Any context.
+  /// the edges. The reference tells a debugger where the tick is stored. Any context.
   [[nodiscard]] constexpr const TickCount& due() const noexcept { return due_; }
 
   /// Notes the time of an edge. Called from `play` after pins have changed.
@@ -112,7 +112,8 @@ class StepTimer {
  private:
   static TickCount now() noexcept { return TickCount{Bus::read(timer::kTim2 + timer::kCounter)}; }
 
-  /// Returns whether the boundary has passed and no earlier step is waiting.
+  /// Returns whether the next boundary is due and all steps that were due before it have been
+  /// played.
   [[nodiscard]] bool turn_is_due() const noexcept {
     return turns_.load(std::memory_order_relaxed) && (!running_ || due_.reached(turn_)) &&
            now().reached(turn_);
@@ -143,13 +144,14 @@ class StepTimer {
     due_ = due_.plus(wait);
     if (!pulse_ended_) pulse_ = wait;
     const std::uint32_t least = pulse_ended_ && pulse_ < wait ? pulse_ : wait;
-    const TickCount after_edge = edge_.plus(least + 1);  // The added tick is the tick of the edge.
+    // Rounds up: the edge came within its tick.
+    const TickCount after_edge = edge_.plus(least + 1);
     comes_ = edge_made_ && after_edge.reached(due_) ? after_edge : due_;
     Bus::write(timer::kTim2 + timer::compare(1), comes_.raw());
   }
 
-  /// Schedules the next sign of life. `due_` stays unchanged, because an output that changes at
-  /// rest belongs to the last boundary.
+  /// Schedules the next interrupt at rest, which shows that the interrupt still works. `due_` stays
+  /// unchanged, because an output that changes at rest belongs to the last boundary.
   void rest() noexcept {
     comes_ = now().plus(kRestTicks);
     Bus::write(timer::kTim2 + timer::compare(1), comes_.raw());

@@ -11,8 +11,8 @@ namespace hal::stm32f405 {
 /// for the last 16 cycles; a cycle that runs even later uses the mark of a newer cycle.
 class TurnMarks {
  public:
-  /// Stores the position at the boundary of a cycle. Called where no interrupt of the link can come
-  /// in between.
+  /// Stores the position at the boundary of a cycle. Called in a context that no interrupt of the
+  /// link can interrupt.
   void note(std::uint32_t turn, std::uint32_t place) noexcept {
     marks_[turn % kTurns].store(place, std::memory_order_relaxed);
   }

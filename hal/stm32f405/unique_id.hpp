@@ -12,7 +12,8 @@ namespace hal::stm32f405 {
 /// fault. Any context.
 template <RegisterBus Bus>
 [[nodiscard]] bool is_known_family() noexcept {
-  constexpr std::array<Word, 3> kFamilies{0x413, 0x411, 0x419};  // RM0090, 38.6.1; ES0182, 2.1.2.
+  // Device codes: RM0090, 38.6.1; ES0182, 2.1.2.
+  constexpr std::array<Word, 3> kFamilies{0x413, 0x411, 0x419};
   const Word code = Bus::read(kDeviceCode) & 0xFFFU;
   for (const Word family : kFamilies) {
     if (code == family) return true;

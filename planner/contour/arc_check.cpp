@@ -31,7 +31,7 @@ ArcDistance distance_from(const Curve<double>& arc, const WayPoint& point) {
 }
 
 bool is_half_a_turn_at_most(const Curve<double>& arc) {
-  constexpr double kMinCosine = 1.0e-3;  // Least cosine of half the sweep.
+  constexpr double kMinCosine = 1.0e-3;  // Least cosine of half the sweep of an arc.
   const WideVec2 chord = arc.end - arc.start;
   const double length = chord.norm();
   return length < kPlaceChord || chord.dot(arc.start_tangent) >= kMinCosine * length;
@@ -43,9 +43,10 @@ struct Seen {
   ArcDistance distance{};
 };
 
-/// Returns an upper bound of the distance from the arc between two points of a stretch: the top of
-/// the tent that both slopes form. Each slope is made steeper by half of the difference of the
-/// slopes, because the slope may not be monotone between the points.
+/// Returns an upper bound of the distance from the arc between two points of a stretch. The slopes
+/// of the distance at both points form a tent, and the top of the tent is the bound. Each slope is
+/// made steeper by half of the difference of the slopes, because the slope may not be monotone
+/// between the points.
 double peak_between(const Seen& from, const Seen& to) {
   const double chord = (to.point.place - from.point.place).norm();
   const double margin = 0.5 * std::abs(to.distance.slope - from.distance.slope);
@@ -60,8 +61,8 @@ double peak_between(const Seen& from, const Seen& to) {
 /// Returns whether a stretch is so short that its two ends show how the curve runs between them.
 bool is_resolved(const Seen& from, const Seen& to, double fine_mm) {
   constexpr double kMinCosine = 0.99;
-  // Bound of eight times the height of the distance function above its chord, as a multiple of
-  // `fine_mm`.
+  // Upper limit of eight times the height of the distance function above the chord between its
+  // ends, as a multiple of `fine_mm`.
   constexpr double kMaxBend = 100.0;
   const double chord = (to.point.place - from.point.place).norm();
   return from.point.tangent.dot(to.point.tangent) >= kMinCosine &&
@@ -70,9 +71,9 @@ bool is_resolved(const Seen& from, const Seen& to, double fine_mm) {
 
 /// Returns the greatest distance between points of the stretch and the arc.
 double stretch_deviation(const CurveStretch& stretch, const Curve<double>& arc, double fine_mm) {
-  constexpr double kLargestStride = 1.0 / 16.0;  // In spans.
-  // Largest stride as a share of the stretch. It suffices because an arc touches its band only a
-  // few times.
+  constexpr double kLargestStride = 1.0 / 16.0;  // Greatest step, in spans.
+  // Greatest step as a share of the stretch. Such steps are short enough, because an arc touches
+  // the edges of its band only a few times.
   constexpr double kLargestPart = 1.0 / 32.0;
   constexpr double kMinStride = 1.0e-14;
   const auto look = [&](double spans) {
@@ -129,9 +130,9 @@ double arc_deviation(const CurveStretch& stretch, const Curve<double>& arc, doub
   const double of_stretch = stretch_deviation(stretch, arc, fine_mm);
   const double greatest = std::max({of_stretch, at_start, at_end});
   const double size = std::abs(arc.curvature);
-  // Here the radius of the arc is hardly greater than its distance from the stretch, or smaller.
-  // Then the bound is the diameter of the arc plus the deviation at its start, because no point of
-  // the arc is farther from its start than the diameter.
+  // The radius of the arc is less than its distance from the stretch, or hardly greater. The bound
+  // is then the diameter of the arc plus the deviation at its start, because no point of the arc is
+  // farther from its start than the diameter.
   if (of_stretch * size > kMaxOfRadius) return std::max(greatest, at_start + 2.0 / size);
   return greatest;
 }

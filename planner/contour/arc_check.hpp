@@ -26,14 +26,14 @@ struct CurveStretch {
 ///
 /// From the stretch to the arc: points of the stretch are checked. They are so close together that
 /// between two of them the distance rises by at most `fine_mm`; the slopes of the distance at both
-/// points prove this. The distance is measured to the arc itself and not to its circle. Where the
-/// curve runs back next to the arc, the distance from the arc's ends counts.
+/// points prove this. The distance is measured to the arc itself and not to its circle: for a point
+/// of the curve beyond an end of the arc, the distance from this end counts.
 ///
-/// From the arc to the stretch: the point of the arc that is nearest to the curve moves along the
-/// arc while the curve proceeds. It moves without a jump as long as the distance is less than the
-/// arc's radius. So this point passes every point of the arc between the two points nearest to the
-/// stretch's ends. Each remaining point of the arc is nearer to an end of the stretch than the
-/// arc's end is. The distance of the arc's ends counts, too.
+/// From the arc to the stretch: while a point moves along the curve, the nearest point of the arc
+/// moves along the arc. It moves without a jump as long as the distance is less than the arc's
+/// radius. So it passes every point of the arc between the two points nearest to the stretch's
+/// ends. Each remaining point of the arc is nearer to an end of the stretch than the arc's end at
+/// that side is. Therefore the distances of the arc's ends from the stretch's ends count, too.
 [[nodiscard]] double arc_deviation(const CurveStretch& stretch,
                                    const Curve<double>& arc,
                                    double fine_mm);

@@ -25,7 +25,7 @@ constexpr int kMaxPolygons = 4;
 constexpr double kMinChord = 1.0e-9;
 
 bool within_half_a_turn(const WideVec2& chord, const WideVec2& tangent) {
-  constexpr double kMinCosine = 1.0e-3;  // Least cosine of half the sweep.
+  constexpr double kMinCosine = 1.0e-3;  // Least cosine of half the sweep of an arc.
   return chord.dot(tangent) >= kMinCosine * chord.norm();
 }
 
@@ -54,8 +54,8 @@ double deviation_of_chain(const CurvePiece& piece,
   return greatest;
 }
 
-/// Writes links as arcs. Each bulge follows from the tangent at which the previous arc ended, so
-/// that rounded joints do not make corners.
+/// Writes the links of a chain as arcs. Each bulge is computed from the tangent at the end of the
+/// previous arc, so that rounding of the joints makes no corners.
 class ChainWriter {
  public:
   ChainWriter(const FitLink& first, std::span<Vertex<double>> vertices)
@@ -82,7 +82,8 @@ class ChainWriter {
   /// Returns whether the arc to `place` continues the circle of the last arc, and both arcs
   /// together are at most half of that circle.
   [[nodiscard]] bool continues(const WideVec2& place, double curvature) const {
-    constexpr double kSameTurn = 1.0e-10;  // Radians.
+    // Greatest turn, radians, by which two arcs of one circle may differ because of rounding.
+    constexpr double kSameTurn = 1.0e-10;
     const WideVec2 whole = place - before_;
     const double length = (here_ - before_).norm() + (place - here_).norm();
     return std::abs(curvature - curvature_) * length < kSameTurn &&
@@ -147,8 +148,8 @@ Result<std::size_t, FitError> fit_fewest(const CurvePiece& piece,
   return FitError::kNoFit;
 }
 
-/// Fits by bisecting. If no biarc fits even one edge of the polygon, the polygon is too coarse for
-/// its tangents, and a finer polygon is tried.
+/// Fits arcs by the method of paper 1. If no biarc fits even one edge of the polygon, the polygon
+/// is too coarse for its tangents. The function then tries a finer polygon.
 Result<std::size_t, FitError> fit_bisecting(const CurvePiece& piece,
                                             const FitOptions& options,
                                             const FitRoom& room,

@@ -25,7 +25,8 @@ enum class FitEnd : std::uint8_t {
   /// Keeps the point and the tangent, so that a neighbour that joins smoothly still joins smoothly.
   kTangent,
   kPlace,  ///< Keeps only the point, for a corner.
-  /// Keeps neither. The end may be anywhere within the tolerance on the curve's normal.
+  /// Keeps neither the point nor the tangent. The end may be anywhere within the tolerance on the
+  /// curve's normal.
   kFree,
 };
 
@@ -34,15 +35,15 @@ struct FitOptions {
   FitMethod method = FitMethod::kFewest;
   FitEnd start = FitEnd::kTangent;
   FitEnd end = FitEnd::kTangent;
-  /// For kBisecting: share of the tolerance that the base polygon uses (a in the paper), at most a
-  /// half.
+  /// For kBisecting: share of the tolerance by which the base polygon may deviate from the curve (a
+  /// in paper 1), at most a half.
   double polygon_share = 0.2;
 };
 
 enum class FitError : std::uint8_t {
   kTooManySamples,  ///< The curve requires more samples than `FitRoom::samples` can hold.
   kTooManyArcs,
-  /// The curve jumps, or it turns at one point too sharply for the digits of its parameter.
+  /// The curve jumps, or it turns at one point too sharply for the resolution of its parameter.
   kNoFit,
 };
 
@@ -51,7 +52,8 @@ enum class FitError : std::uint8_t {
 struct FitLink {
   BandStart start{};
   double curvature = 0.0;
-  double reach = 0.0;  ///< Greatest distance that the arc could reach along the curve, in samples.
+  /// Position along the curve, in samples, up to which the arc could stay within the band.
+  double reach = 0.0;
 
   [[nodiscard]] WideTangentCircle circle() const { return start.circle(curvature); }
 };

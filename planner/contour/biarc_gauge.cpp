@@ -10,12 +10,12 @@ double curvature_of_arc(const WideVec2& chord, double bulge) {
   return 4.0 * bulge / (chord.norm() * (1.0 + bulge * bulge));
 }
 
-/// Returns the foot of the circle's centre on the line of the edge, as a share of the edge within
-/// ±1; −1 if the foot is farther away.
+/// Returns the foot of the perpendicular from the circle's centre to the line of the edge, as a
+/// share of the edge within ±1; −1 if the foot is farther away.
 double foot_of_centre(const WideTangentCircle& circle, const WideVec2& from, const WideVec2& edge) {
   const double square = edge.squaredNorm();
-  // The centre is `point` + left_normal(tangent) / k. `scaled` is k times the foot; the division by
-  // k follows below.
+  // With the curvature k, the centre is `point` + left_normal(tangent) / k. `scaled` is k times the
+  // foot; the division by k follows below.
   const double scaled =
       (circle.curvature * (circle.point - from) + left_normal(circle.tangent)).dot(edge);
   const double whole = circle.curvature * square;

@@ -29,8 +29,8 @@ double distance_of_polygon(const BiarcGauge& gauge,
   return greatest;
 }
 
-/// Returns the parameter, in spans, at which the curve passes the joint. If the curve passes it
-/// several times, returns one of the parameters.
+/// Returns the parameter, in spans, at which the curve passes the joint of the biarc. If the curve
+/// passes the joint several times, returns one of the parameters.
 double spans_at_joint(const CurvePiece& piece,
                       std::span<const CurveSample> polygon,
                       const BiarcGauge& gauge) {
@@ -66,7 +66,7 @@ bool stays_near(const CurvePiece& piece,
 
 LeastValue optimal_biarc(std::span<const CurveSample> polygon, double enough_mm) {
   constexpr SearchRange kShares{.low = 0.05, .high = 0.95, .looks = 7, .steps = 18};
-  // Multiple of `enough_mm` at which the evaluation of a biarc ends early.
+  // The evaluation of a biarc ends early at a distance of this multiple of `enough_mm`.
   constexpr double kHopeless = 50.0;
   const WideBiarcEnds ends = ends_of(polygon);
   return least_value(kShares, enough_mm, [&](double share) {
@@ -80,8 +80,8 @@ BisectingResult bisecting_fit(const CurvePiece& piece,
                               std::span<const CurveSample> polygon,
                               const BisectingLimits& limits,
                               std::span<Vertex<double>> vertices) {
-  // Greatest number of stretches that wait. Each is at most half as long as the stretch that waits
-  // before it.
+  // Greatest number of stretches that wait to be fitted. Each is at most half as long as the
+  // stretch that waits before it.
   constexpr std::size_t kMaxHalves = 64;
   std::array<std::size_t, kMaxHalves> ends{};
   std::size_t waiting = 0;

@@ -18,7 +18,7 @@ namespace cnc::contour {
 
 /// Result of the bisecting fit of paper 1.
 struct BisectingResult {
-  /// Number of arcs; 0 if even a biarc over one edge of the polygon is too far away.
+  /// Number of arcs; 0 if even a biarc over a single edge of the polygon is too far from the curve.
   std::size_t arcs = 0;
   bool out_of_room = false;
 };

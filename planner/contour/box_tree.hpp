@@ -28,7 +28,7 @@ class BoxTree {
   /// @pre `boxes` has at least size_for(count) boxes.
   explicit BoxTree(Slice<FlatBox<Scalar>> boxes) : boxes_{boxes} {}
 
-  /// Returns the box of curve `index`. The caller must write it before build().
+  /// Returns the box of curve `index`. The caller must write this box before it calls build().
   [[nodiscard]] FlatBox<Scalar>& leaf(std::uint32_t index) { return boxes_[index]; }
 
   void build(std::uint32_t count) {

@@ -68,8 +68,8 @@ bool CleanOutline<Scalar>::add_half(const Vector& start, const Vector& end, Scal
 }
 
 /// Closes the loop. The last element and the first element together may also form a path out and
-/// back, which is removed. The loop's end may differ from its start by elements that were too short
-/// to be kept.
+/// back, which is removed. The end of the last element may differ from the start of the loop,
+/// because elements that were too short between them were removed.
 template <typename Scalar>
 void CleanOutline<Scalar>::close() {
   while (count() >= 2) {

@@ -48,10 +48,10 @@ bool CrowdTrim<Scalar>::covers(const Vector& corner, const Vector& place) const 
   return (place - corner).squaredNorm() < radius_ * radius_;
 }
 
-/// Removes the part of a curve that the disc about a corner covers. The disc covers at most one
-/// connected part of a line. The same holds for an arc of at most half a turn, if the radius of the
-/// arc is at least the radius of the disc. So a disc that covers both ends covers the complete
-/// curve.
+/// Removes the part of a curve that the disc about a corner covers. Returns false if nothing
+/// remains. The disc covers at most one connected part of a line. The same holds for an arc of at
+/// most half a turn, if the radius of the arc is at least the radius of the disc. So a disc that
+/// covers both ends covers the complete curve.
 template <typename Scalar>
 bool CrowdTrim<Scalar>::trim(Curve<Scalar>& raw, const Vector& corner, bool& shortened) const {
   const bool is_line = raw.curvature == Scalar{0};

@@ -5,9 +5,9 @@
 namespace cnc::contour {
 
 /// Removes the parts of raw curves that are too near to nearby corners of the same contour. This
-/// matters if a contour has many elements within the distance, as traced and scanned contours have.
-/// Without the trim, each of their raw curves would cross most of the others. The number of
-/// meetings would grow with the square of the number of elements within the distance. No removed
+/// matters if many elements of a contour are within the offset distance of each other, as in traced
+/// and scanned contours. Without the trim, each of their raw curves would cross most of the others.
+/// The number of meetings would grow with the square of the number of these elements. No removed
 /// part belongs to a result. The remaining parts may still be too near.
 template <typename Scalar>
 class CrowdTrim {

@@ -41,7 +41,8 @@ struct Curve {
   Vector end_tangent{Scalar{1}, Scalar{0}};
   Scalar curvature{};  ///< Curvature, 1/mm, positive turns left.
 
-  /// Returns twice the distance from the circle times (1 + distance/2R). Its sign is exact.
+  /// Returns twice the distance from the circle, positive on the right, times (1 + distance/2R).
+  /// Its sign is exact.
   [[nodiscard]] Scalar side(const Vector& place) const {
     const Vector q = place - start;
     return curvature * q.squaredNorm() - Scalar{2} * cross(start_tangent, q);

@@ -68,8 +68,8 @@ class Splitter {
     return a.dot(b) < 0.0 || std::abs(cross(a, b)) > min_corner_;
   }
 
-  /// Returns whether the direction turns by more than a quarter turn. Between near points this
-  /// happens only at a cusp.
+  /// Returns whether the direction of travel differs by more than a quarter turn between two
+  /// samples. If the samples are near each other, this happens only at a cusp.
   [[nodiscard]] static bool turns_back(const Look& before, const Look& after) {
     return before.travel().dot(after.travel()) < 0.0;
   }
@@ -147,7 +147,8 @@ class Splitter {
   }
 
   /// Cuts at the cusps between two samples. If the source turns far between the samples, two cusps
-  /// may look like one. So the stretch is divided into steps that turn little.
+  /// may look like one. The function therefore divides the stretch between the samples into steps
+  /// with little turn.
   void cut_between(std::size_t span, Look low, const Look& high) {
     constexpr int kMaxSteps = 200;
     for (int i = 0; i < kMaxSteps && low.share < high.share; ++i) {
@@ -162,7 +163,8 @@ class Splitter {
     }
   }
 
-  /// Cuts at the cusp of a step, if it has one; it has at most one.
+  /// Cuts at the cusp of a step, if there is one. A step turns so little that it has at most one
+  /// cusp.
   void cut_step(std::size_t span, Look low, Look high) {
     if (!turns_back(low, high)) return;
     while (high.share - low.share > kCuspShare) {

@@ -50,10 +50,11 @@ inline constexpr double kMinCorner = 1.0e-6;
 /// Each span is sampled at kLooks points. A pair of cusps between two samples is found only if 1 +
 /// κ d has its least or greatest value near one of the samples. A pair that is closer together than
 /// about a hundredth of a span may be missed.
-/// @param min_corner radians. A smaller change of direction between spans is not a corner: a fit
-///     goes around it within its tolerance. It may exceed kMinCorner only if the offset is 0,
-///     because an offset has a gap at each corner.
-/// @param pieces storage for the pieces. @return the number of pieces.
+/// @param min_corner least change of direction between spans that counts as a corner, radians. A
+///     fit goes around a smaller change within its tolerance. It may exceed kMinCorner only if the
+///     offset is 0, because an offset has a gap at each corner.
+/// @param pieces storage for the pieces.
+/// @return the number of pieces.
 [[nodiscard]] Result<std::size_t, SplitError> split_offset(const PlaneCurve& curve,
                                                            double offset_mm,
                                                            std::span<CurvePiece> pieces,

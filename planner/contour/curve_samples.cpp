@@ -24,9 +24,9 @@ SampleStep step_between(const WayPoint& from, const WayPoint& to) {
           .turn = cosine > 0.0 ? sine * (1.0 + sine * sine / 6.0) : kTooMuch};
 }
 
-/// Checks the distance of the curve from its chord and from an arc. If the curvature grows by Δ
+/// Returns whether the curve is near enough to its chord and to an arc. If the curvature grows by Δ
 /// over a chord c, the curve differs from an arc by about Δ c² / 64 on either side of the middle.
-/// If one arc covers several samples, it differs by less between them.
+/// If one arc covers several samples, the curve differs from it by less than that between them.
 bool near_enough(const SampleStep& step, const SampleStep& before, const SampleDensity& density) {
   const double size = std::abs(step.turn);
   if (size > kMaxTurn) return false;
@@ -70,7 +70,7 @@ std::size_t sample_curve(const CurvePiece& piece,
     const CurveSample& last = room[count - 1];
     const double rest = piece.to - last.spans;
     const double least = kMinStep * std::max(length, piece.to);
-    // Avoids a tiny step at the end.
+    // These lines avoid a tiny step at the end of the piece.
     stride = std::clamp(stride, std::min(least, rest), kLargestStep);
     const bool ends = rest <= 1.01 * stride;
     if (!ends && rest < 2.0 * stride) stride = 0.5 * rest;

@@ -18,14 +18,14 @@ struct CurveSample {
 
 /// Limits that set the distance between samples.
 struct SampleDensity {
-  double sagitta_mm = 0.01;  ///< Greatest distance between the curve and its chord.
-  double bend_mm = 0.001;    ///< Approximate greatest distance between the curve and an arc.
+  double sagitta_mm = 0.01;  ///< Greatest distance between the curve and its chord, mm.
+  double bend_mm = 0.001;    ///< Approximate greatest distance between the curve and an arc, mm.
 };
 
 /// Samples a piece from its start to its end, as densely as `density` requires.
 /// @param room storage for the samples.
-/// @return the number of samples; 0 if `room` is too small; 1 if the curve jumps, as far as the
-///     digits of its parameter can show.
+/// @return the number of samples; 0 if `room` is too small; 1 if the curve jumps or turns too
+///     sharply for the resolution of its parameter.
 [[nodiscard]] std::size_t sample_curve(const CurvePiece& piece,
                                        const SampleDensity& density,
                                        std::span<CurveSample> room);

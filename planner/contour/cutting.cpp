@@ -60,14 +60,15 @@ bool Cutting<Scalar>::clear_of(const Curve<Scalar>& line, const Curve<Scalar>& o
 }
 
 /// Returns whether another curve is completely on one side of a band, with a margin such that no
-/// point is within `touch` of both curves. The band is between the chord of `curve` and its
-/// parallel that touches `curve`. For most pairs with an arc this test avoids the full computation.
+/// point is within `touch` of both curves. The band is between the chord of `curve` and the
+/// parallel of the chord that touches `curve`. For most pairs with an arc this test avoids the full
+/// computation.
 ///
 /// The test needs no bulge. Let x be half the sweep. The height of an arc is its chord times
 /// tan(x/2) / 2, which is at most the chord times sin(x) / 2. Ends that were drawn together may be
 /// some `touch` away from their curve, or may make it slightly more than half a turn. Therefore the
-/// factor is 5/8, and the margin contains 16 `touch`. All distances are multiplied by the chord of
-/// `curve`, which avoids a square root.
+/// factor is 5/8 instead of 1/2, and the margin contains 16 `touch`. All distances are multiplied
+/// by the chord of `curve`, which avoids a square root.
 template <typename Scalar>
 bool Cutting<Scalar>::beside(const Curve<Scalar>& curve, const Curve<Scalar>& other) const {
   constexpr Scalar kHeight{0.625};
@@ -84,7 +85,8 @@ bool Cutting<Scalar>::beside(const Curve<Scalar>& curve, const Curve<Scalar>& ot
          std::max(start, end) < std::min(Scalar{0}, own) - slack;
 }
 
-/// Handles an end of one curve that is on another curve. Overlaps are found by such ends.
+/// Handles `place`, an end of another curve, if it is on curve `raw`: cuts `raw` there, or unites
+/// the two ends if `raw` also ends there. Overlapping curves are divided in this way.
 template <typename Scalar>
 void Cutting<Scalar>::end_on(const Vector& place, std::uint32_t node, std::uint32_t raw) {
   const RawCurve<Scalar>& other = space_.raw[raw];

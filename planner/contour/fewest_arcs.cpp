@@ -39,7 +39,8 @@ BandStart FewestArcs::launch(const Launches& from, double at) const {
   }
   const WayPoint& start = band_->sample(0).point;
   if (options_->start == FitEnd::kTangent) return {start.place, start.tangent, 0.0};
-  // Greatest angle in radians. The search evaluates more densely near the tangent.
+  // Greatest angle between the first arc and the curve's tangent, radians. The cube below makes the
+  // search denser near the tangent.
   constexpr double kWidest = 0.8;
   const double across = options_->start == FitEnd::kFree
                             ? 0.25 * static_cast<double>(from.variant - 4) * 0.999999
@@ -94,10 +95,10 @@ double FewestArcs::next_reach(std::size_t index) const {
   return reach;
 }
 
-/// Replaces an arc after which no arc can continue. Where the curve turns within a few tolerances,
-/// the arc with the greatest reach may end in a direction from which no other arc continues. An arc
-/// that stops earlier, in the middle of the allowed curvatures, may have a successor. Tries a grid
-/// of such arcs and takes the arc whose successor has the greatest reach.
+/// Replaces an arc after which no arc can continue. Where the curve turns sharply, within a length
+/// of a few tolerances, the arc with the greatest reach may end in a direction from which no other
+/// arc continues. An arc that stops earlier, in the middle of the allowed curvatures, may have a
+/// successor. Tries a grid of such arcs and takes the arc whose successor has the greatest reach.
 bool FewestArcs::give_way(std::size_t index) {
   constexpr int kStops = 24;
   const FitLink stuck = links_[index];
@@ -178,7 +179,8 @@ std::size_t FewestArcs::finish_at_place(std::size_t index) {
   return index + 1;
 }
 
-/// Returns the greatest deviation, or any value above `bound` if the deviation exceeds `bound`.
+/// Returns the greatest deviation of the samples after `from` from the biarc, mm; any value above
+/// `bound` if the deviation exceeds `bound`.
 /// @param worst number of the sample that is checked first; set to the sample with the greatest
 ///     deviation found
 double FewestArcs::deviation(const BiarcGauge& gauge,

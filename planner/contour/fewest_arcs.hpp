@@ -16,8 +16,8 @@ namespace cnc::contour {
 /// has the greatest reach if it touches the band on alternate sides, as the arcs of Maier's smooth
 /// minimum arc paths do (Maier, "Optimal arc spline approximation", CAGD 31 (2014) 211). So no
 /// chain with the same number of arcs has a greater reach. If the end is fixed, the last arcs must
-/// also lead to it: one arc through the end, or a biarc to the end with its tangent. They follow
-/// the longest chain for which they exist.
+/// also lead to the end: one arc through the end, or a biarc to the end with its tangent. These
+/// last arcs follow the longest chain from which they exist.
 class FewestArcs {
  public:
   FewestArcs(const ToleranceBand& band, const FitOptions& options, std::span<FitLink> links)

@@ -14,14 +14,14 @@ struct LeastValue {
 struct SearchRange {
   double low = 0.0;
   double high = 1.0;
-  /// Number of evenly spread evaluations, including both ends; at least 2. If both ends are equal,
-  /// there is one evaluation.
+  /// Number of evenly spread evaluations, including both ends of the range; at least 2. If both
+  /// ends are equal, there is one evaluation.
   int looks = 8;
   int steps = 20;  ///< Number of steps of the golden section around the best evaluation.
 };
 
-/// Returns the least value of a function with one valley. If there are several valleys, it returns
-/// the deepest valley that the evenly spread evaluations show. It ends early at the first value
+/// Returns the least value of a function with one valley. If there are several valleys, returns the
+/// deepest valley that the evenly spread evaluations show. The search ends early at the first value
 /// that is at most `enough`. The function may accept a bound as a second argument. If its value
 /// exceeds the bound, it may return any other value above the bound; the result of the search is
 /// the same.

@@ -7,7 +7,7 @@
 
 namespace cnc::contour {
 
-/// Points where two curves cross or touch. Curves that coincide have none.
+/// Points where two curves cross or touch. Curves that coincide have no such points.
 template <typename Scalar>
 struct Meetings {
   std::array<BasicVec2<Scalar>, 2> places{BasicVec2<Scalar>{Scalar{0}, Scalar{0}},
@@ -16,7 +16,7 @@ struct Meetings {
 };
 
 /// Returns the points that are within `touch` mm of both curves. If the two circles miss each other
-/// by less than `touch`, the point between them counts.
+/// by less than `touch`, the result contains the point between them.
 template <typename Scalar>
 [[nodiscard]] Meetings<Scalar> meetings_of(const Curve<Scalar>& a,
                                            const Curve<Scalar>& b,

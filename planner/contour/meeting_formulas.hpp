@@ -16,7 +16,8 @@ void add_if_on_both(Meetings<Scalar>& found,
                     const BasicVec2<Scalar>& place,
                     Scalar touch) {
   if (!a.faces(place, touch) || !b.faces(place, touch)) return;
-  // The circle continues on the far side of the centre, but the curve does not.
+  // faces() also accepts points near the far side of the circle, beyond its centre, where the curve
+  // does not run.
   if (!(a.from_circle(place) <= touch) || !(b.from_circle(place) <= touch)) return;
   found.places[found.count++] = place;
 }

@@ -17,7 +17,7 @@ namespace {
 template <typename Scalar>
 Scalar reach_of(const ContourView<Scalar>& input) {
   Scalar most{};
-  Scalar faults{};  // Sum that stays 0 until a value is not finite; then it is NaN.
+  Scalar faults{};  // Stays 0 while all values are finite; otherwise it becomes NaN.
   for (const Vertex<Scalar>& vertex : input.vertices) {
     most = std::max(most, std::max(std::abs(vertex.x), std::abs(vertex.y)));
     faults += Scalar{0} * (vertex.x + vertex.y + vertex.bulge);
@@ -49,8 +49,8 @@ Result<ContourView<Scalar>, OffsetError> copied(const ContourView<Scalar>& input
 
 template <typename Scalar>
 Tolerance<Scalar> Tolerance<Scalar>::for_coordinates_up_to(Scalar most) {
-  // Factor on the rounding error that a chain of computations may accumulate. Single precision
-  // allows no greater factor.
+  // Factor by which the error of a chain of computations may exceed the floating-point resolution.
+  // In single precision the resolution is too coarse for a greater factor.
   constexpr Scalar kRoundings = sizeof(Scalar) > sizeof(float) ? Scalar{1024} : Scalar{8};
   const Scalar touch =
       kRoundings * std::numeric_limits<Scalar>::epsilon() * std::max(Scalar{1}, most);

@@ -14,7 +14,7 @@ enum class OffsetFault : std::uint8_t {
   /// The contour has more elements than the capacity: "contour has 513 elements, capacity 512".
   kTooManyElements,
   kTooManyMeetings,  ///< Moved elements cross more often than the working storage can hold.
-  kResultTooLong,    ///< The result's own storage is full.
+  kResultTooLong,    ///< The storage of the result is full.
   /// The kept curves do not lead back to their start. No test has produced this fault.
   kNotClosed,
 };

@@ -18,8 +18,8 @@ inline constexpr std::uint32_t kNone = 0xFFFFFFFF;
 template <typename Scalar>
 struct Tolerance {
   Scalar touch{};  ///< Distance below which two points are one point.
-  /// Amount by which a curve may be too near to the input, compared with |distance|. Such a curve
-  /// is used only if a loop cannot close without it.
+  /// Greatest amount by which a curve that is used may be nearer to the input than |distance|. A
+  /// curve that is too near by more than `touch` is used only if a loop cannot close without it.
   Scalar shallow{};
   /// Length of a run below which the distance of its middle does not prove that the complete run is
   /// at |distance|.
@@ -85,7 +85,8 @@ struct Run {
   bool written = false;
 };
 
-/// Lists of the pieces that meet at a node. Once the runs are known, lists of the kept runs.
+/// Lists and numbers of the pieces that meet at a node. Once the runs are known: list of the runs
+/// that leave the node, and numbers of the kept runs.
 struct Junction {
   std::uint32_t in = 0;
   std::uint32_t out = 0;
@@ -113,7 +114,7 @@ struct OffsetSizes {
 };
 
 /// Working storage of an offset. Its content does not outlive the call. The comment of each span
-/// gives its size by OffsetSizes.
+/// names the member of OffsetSizes that gives its size.
 template <typename Scalar>
 struct OffsetSpace {
   Slice<Vertex<Scalar>> vertices;        ///< elements

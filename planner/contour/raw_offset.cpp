@@ -9,11 +9,11 @@
 namespace cnc::contour {
 namespace {
 
-/// Returns the sine of the turn at a corner, positive to the left. Near a cusp one element leads
-/// back along the other. There the sine is only rounding, of this computation or of the program
-/// that wrote the drawing. In that case the sign is that of the gap between both elements a little
-/// before the corner. So at a tip of material the turn is to the left, and at the end of a slot it
-/// is to the right.
+/// Returns the sine of the turn at a corner, positive to the left. Near a cusp, one element leads
+/// back along the other. The sine is then only a rounding error of this computation or of the
+/// program that wrote the drawing. In that case the gap between both elements a little before the
+/// corner decides the sign. So the turn is to the left at a tip of material, and to the right at
+/// the end of a slot.
 template <typename Scalar>
 Scalar turn_at(const Curve<Scalar>& before, const Curve<Scalar>& after) {
   constexpr Scalar kNearCusp = Scalar(1.0e-2F);
@@ -80,8 +80,8 @@ Scalar RawOffset<Scalar>::bend_of_moved(const Curve<Scalar>& element) const {
 }
 
 /// Returns whether the ends of two neighbours may be drawn together. The gap is along both curves.
-/// Half of the gap moves a curve sideways by the square of the gap divided by eight times a radius.
-/// This radius is the curve's own radius or |distance|, whichever is less.
+/// If an end moves by half of the gap, its curve moves sideways by the square of the gap divided by
+/// 8 r. Here r is the curve's own radius or |distance|, whichever is less.
 /// @param curvature curvature of the neighbour that bends more
 template <typename Scalar>
 bool RawOffset<Scalar>::closes(const Vector& gap, Scalar curvature) const {

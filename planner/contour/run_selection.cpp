@@ -20,8 +20,8 @@ bool RunSelection<Scalar>::select(std::uint32_t element_count, std::uint32_t run
   return true;
 }
 
-/// Judges a run by the middle of its longest piece. That point is farthest from the nodes at which
-/// other runs begin.
+/// Returns the standing of a run, judged by the middle of its longest piece. That point is farthest
+/// from the nodes at which other runs begin.
 template <typename Scalar>
 Standing RunSelection<Scalar>::judge(const Run& run) const {
   Scalar longest{};

@@ -5,9 +5,9 @@
 
 namespace cnc::contour {
 
-/// Chooses the runs of the result. It keeps the runs that are at the distance. Optional runs are at
-/// the distance only within tolerance. Of these it keeps the runs that are needed to lead every
-/// loop back to its start.
+/// Chooses the runs of the result. It keeps the runs that are at the offset distance from the
+/// input. Optional runs are at this distance only within the tolerance. Of the optional runs it
+/// keeps those that are required to lead every loop back to its start.
 template <typename Scalar>
 class RunSelection {
  public:

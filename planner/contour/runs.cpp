@@ -18,7 +18,7 @@ std::uint32_t RunFinder<Scalar>::find() {
   for (std::uint32_t i = 0; i < piece_count_; ++i) {
     if (!space_.junctions[space_.pieces[i].start_node].plain()) add_run(i);
   }
-  // Adds the runs that are closed in themselves.
+  // Adds the remaining runs, which are closed loops of nodes that leave no choice.
   for (std::uint32_t i = 0; i < piece_count_; ++i) add_run(i);
   return run_count_;
 }
@@ -39,9 +39,9 @@ void RunFinder<Scalar>::connect() {
   }
 }
 
-/// Drops a piece with its double. If a slot is exactly used up, its two sides coincide with nothing
-/// between them, and both are dropped. Of two coincident pieces in the same direction, one is
-/// dropped.
+/// Drops a piece that coincides with another piece. If the two have opposite directions, both are
+/// dropped: they are the sides of a slot that the offset uses up exactly. If they have the same
+/// direction, one of them is dropped.
 template <typename Scalar>
 void RunFinder<Scalar>::cancel_if_double(std::uint32_t piece) {
   const Piece& one = space_.pieces[piece];
@@ -102,7 +102,8 @@ void RunFinder<Scalar>::drop_to_loose_end(std::uint32_t piece) {
   }
 }
 
-/// Returns the next piece if no other piece meets at the node; kNone otherwise.
+/// Returns the piece after `piece` if no other piece meets at the node between them; kNone
+/// otherwise.
 template <typename Scalar>
 std::uint32_t RunFinder<Scalar>::following(std::uint32_t piece) const {
   const Junction& end = space_.junctions[space_.pieces[piece].end_node];

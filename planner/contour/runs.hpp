@@ -5,8 +5,8 @@
 
 namespace cnc::contour {
 
-/// Joins pieces into runs, which are kept or dropped as a unit. First it drops the pieces that need
-/// no decision: coincident pieces, and pieces that lead to a loose end.
+/// Joins pieces into runs, which are kept or dropped as a unit. Before this, drops the pieces that
+/// need no decision: coincident pieces, and pieces that lead to a loose end.
 template <typename Scalar>
 class RunFinder {
  public:

@@ -22,8 +22,8 @@ struct CurvatureRange {
   }
 };
 
-/// Returns the curvatures of the arcs that pass the sample within the band, in the direction of the
-/// sample.
+/// Returns the curvatures with which an arc from `start` passes the sample `point` within the band
+/// and roughly in the direction of the curve.
 CurvatureRange past(const BandStart& start, const WayPoint& point, double tolerance_mm) {
   const double most = 0.9 / tolerance_mm;
   CurvatureRange range{-most, most};
@@ -33,7 +33,8 @@ CurvatureRange past(const BandStart& start, const WayPoint& point, double tolera
     const double left = cross(start.tangent, q);
     range.narrow({2.0 * (left - tolerance_mm) / room, 2.0 * (left + tolerance_mm) / room});
   }
-  // The agreement is (n − k q) · N, which is linear in the curvature k.
+  // With the tangents n of the arc's start and N of the sample's point, agreement() is linear in
+  // the curvature: n · N − k (N × q).
   const double along = start.tangent.dot(point.tangent) - ToleranceBand::kMinAgreement;
   const double slope = cross(point.tangent, q);
   if (slope > 0.0) range.narrow({-most, along / slope});
@@ -41,8 +42,8 @@ CurvatureRange past(const BandStart& start, const WayPoint& point, double tolera
   return range;
 }
 
-/// Returns the share of the distance between two samples at which the allowed range, which changes
-/// linearly from `from` to `to`, leaves the range `open`.
+/// Returns the share of the distance between two samples after which the allowed curvatures are
+/// outside the range `open`. The allowed range changes linearly from `from` to `to`.
 double crossing(const CurvatureRange& from, const CurvatureRange& to, const CurvatureRange& open) {
   if (to.low > open.high) return (open.high - from.low) / (to.low - from.low);
   if (to.high < open.low) return (from.high - open.low) / (from.high - to.high);

@@ -38,7 +38,7 @@ struct BandReach {
 /// last curvature in it belongs to the arc that stays in the band longest.
 ///
 /// Wherever an arc is accepted, the curve's direction differs from the arc's direction by less than
-/// a quarter turn, so the distance counts both ways.
+/// a quarter turn. So the tolerance holds from the curve to the arc and from the arc to the curve.
 class ToleranceBand {
  public:
   ToleranceBand(const CurvePiece& piece, std::span<const CurveSample> samples, double tolerance_mm)
@@ -59,8 +59,9 @@ class ToleranceBand {
   /// the allowed curvatures.
   [[nodiscard]] BandReach farthest(const BandStart& start, double stop) const;
   [[nodiscard]] BandReach farthest(const BandStart& start) const { return farthest(start, last()); }
-  /// Returns the distance of a point of the curve from a circle; kNoFit if the circle runs in
-  /// another direction. The function is inline, because most of the time of a fit is spent here.
+  /// Returns the distance of a point of the curve from a circle; kNoFit if the directions of the
+  /// circle and of the curve differ too much. The function is inline, because most of the time of a
+  /// fit is spent here.
   [[nodiscard]] static double distance(const WideTangentCircle& circle, const WayPoint& point) {
     if (agreement(circle, point) < 0.5 * kMinAgreement) return kNoFit;
     return std::abs(circle.across(point.place));

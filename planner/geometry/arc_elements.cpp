@@ -36,7 +36,8 @@ ArcElements::ArcElements(const CentreArc& arc, std::uint32_t min_count) noexcept
   start_cosine_ = x0 / start_radius_;
   start_sine_ = y0 / start_radius_;
 
-  // The cross product with the difference of end and start keeps its digits for short arcs.
+  // Computed with the difference of end and start, the cross product loses no digits for short
+  // arcs.
   const float left_turn = atan2_f(x0 * dy - y0 * dx, x0 * x1 + y0 * y1);
   const float turn = arc.clockwise ? -left_turn : left_turn;
   const bool is_full = turn <= kFullCircle && (turn <= 0.0F || length(dx, dy) <= kRoundedEndMm);
@@ -56,8 +57,9 @@ Position ArcElements::division(std::uint32_t index) const {
   }
   const float part = static_cast<float>(index) / static_cast<float>(count_);
   const float radius = start_radius_ + (end_radius_ - start_radius_) * part;
-  // Only the remainder of the whole turns within one turn matters. It is computed in integers, so
-  // that even a thousand turns lose no digits.
+  // Each whole turn advances this point by the share index / count_ of a turn. Of the sum, only the
+  // fraction of a turn matters. It is computed in integers, so that even a thousand turns lose no
+  // digits.
   const std::uint64_t whole_turns = arc_.turns - 1U;
   const auto turned_share = static_cast<float>(whole_turns * index % count_);
   const float angle = partial_turn_ * part + kTwoPi * (turned_share / static_cast<float>(count_));
@@ -82,7 +84,8 @@ float ArcElements::bulge_of(const PathElement& element) const {
   const float to_left = (dx * cy - dy * cx) / chord;
   const float height = arc_.clockwise ? -to_left : to_left;
   const float half = 0.5F * chord;
-  // On a circle of a few micrometres, rounding may place the two ends more than half a turn apart.
+  // On a circle of a few micrometres, rounding may place the two ends more than half a turn apart,
+  // so the bulge is limited.
   const float bulge = std::min(half / (length(half, height) + height), Arc::kLargestBulge);
   return arc_.clockwise ? -bulge : bulge;
 }

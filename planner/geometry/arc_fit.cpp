@@ -14,8 +14,8 @@ namespace {
 constexpr float kUnseen = 0.005F;
 /// Allowance for the rounding of ends, joints and the curve's own origin to whole nanometres, mm.
 constexpr float kRoundingMm = 2.0e-6F;
-/// Error as a share of the extent. It covers the single precision of the sampled curve, of the
-/// circles and of the joint.
+/// Rounding error as a share of the extent (BiarcTrial::extent()). It covers the single precision
+/// of the sampled curve, of the circles and of the joint.
 constexpr float kRelativeError = 3.0e-7F;
 
 Vec2 between(const Position& from, const Position& to) {
@@ -23,7 +23,7 @@ Vec2 between(const Position& from, const Position& to) {
 }
 
 float rough_cube_root(float x) {
-  // Newton's method from above. For x in 1e-6…1e3 the 16 steps suffice.
+  // Newton's method, started above the root. For x in 1e-6…1e3 the 16 steps suffice.
   float root = x > 1.0F ? x : 1.0F;
   for (int i = 0; i < 16; ++i) root = (2.0F * root + x / (root * root)) * (1.0F / 3.0F);
   return root;
@@ -91,11 +91,12 @@ std::uint32_t ArcFit::do_step() {
   return 0;
 }
 
-/// Tries one distance. The bracket, between a distance that fits and a distance that does not, is
-/// narrowed by the cubic law of `growth` and by halving. Returns the number of points used.
+/// Tries one distance along the curve. The bracket is between a distance that fits and a distance
+/// that does not fit. It is narrowed by the cubic law of `growth` and by halving. Returns the
+/// number of points used.
 std::uint32_t ArcFit::reach_farther() {
   constexpr std::uint8_t kMaxTimes = 28;
-  // Shortest distance, in knots. Below it the parameter has no digits left.
+  // Shortest distance, in knots. A shorter distance is below the resolution of the parameter.
   constexpr float kShort = 1.0e-6F;
   if (times_ == kMaxTimes || distance_ <= kShort) {
     end_reach();
@@ -141,8 +142,8 @@ void ArcFit::end_reach() {
   times_ = 0;
 }
 
-/// Compares the biarc more closely with the curve. Reduces its distance a little if the deviation
-/// is too large. Returns the number of points used.
+/// Compares the biarc more closely with the curve. If the deviation is too large, reduces the
+/// distance that the biarc covers. Returns the number of points used.
 std::uint32_t ArcFit::confirm() {
   constexpr std::uint8_t kMaxTimes = 16;
   if (times_ == kMaxTimes) {
@@ -162,7 +163,8 @@ std::uint32_t ArcFit::confirm() {
   return BiarcTrial::kSamples + BiarcTrial::kClosely;
 }
 
-/// Tries another joint after a shorter distance was not enough. Returns the number of points used.
+/// Tries another joint if a shorter distance alone did not reduce the deviation enough. Returns the
+/// number of points used.
 std::uint32_t ArcFit::look_for_other() {
   const BiarcTrial::Fit other = trial_.best(0.0F);
   if (other.deviation_mm <= allowed()) {
@@ -281,8 +283,8 @@ PathElement ArcFit::begin_biarc(const Reach& reach) {
 }
 
 /// Returns the joint of the biarc that was compared with the curve, relative to the start of the
-/// biarc. This joint is used if there is no biarc between the driven ends, because they are rounded
-/// and an arc is nearly half a turn.
+/// biarc. This joint is used if no biarc exists between the rounded ends. That can happen if one of
+/// the arcs is nearly half a turn.
 Vec2 ArcFit::joint_of_trial(const Vec2& forward, const Reach& reach) const {
   const auto biarc = make_biarc(trial_.ends(), reach.joint_share);
   const Vec2 joint = biarc.ok() ? biarc.value().joint : Vec2{0.5F * trial_.ends().end};
@@ -299,9 +301,9 @@ bool ArcFit::is_lone_arc(const BiarcEnds& ends) const {
   return kink <= kSameCircle && kink * ends.end.norm() <= tolerance_mm_ * kUnseen;
 }
 
-/// Divides an element at a rounded joint into two arcs; the second arc waits. The arcs have the
-/// given tangents at both ends, so that consecutive biarcs meet without a corner. The kink that
-/// rounding leaves is at the joint.
+/// Divides an element at a rounded joint into two arcs. Returns the first arc and stores the second
+/// arc for the next call of next(). The arcs have the given tangents at both ends, so that
+/// consecutive biarcs meet without a corner. The kink that rounding leaves is at the joint.
 PathElement ArcFit::divide(const PathElement& whole, const BiarcEnds& ends, const Vec2& joint) {
   PathElement first = whole;
   first.end = whole.start;

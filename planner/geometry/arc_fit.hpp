@@ -11,7 +11,7 @@ namespace cnc {
 
 /// Converts a spline to a chain of arcs, one arc at a time, with as few arcs as possible. Each
 /// biarc begins where the last biarc ended, on the curve and with the curve's tangent. Of the
-/// biarcs with all possible joints, the fit takes the one that reaches farthest.
+/// biarcs with all possible joints, the fit takes the biarc that reaches farthest along the curve.
 ///
 /// Guarantees, for splines up to kLargestSplineMm across:
 /// * The chain begins and ends exactly where the spline does, and its elements join exactly.
@@ -40,8 +40,10 @@ class ArcFit {
   ArcFit(const Spline& spline, const Position& start, float tolerance_mm);
 
   [[nodiscard]] bool done() const { return !second_waits_ && ahead_.at_end(); }
-  /// Works on the next element for up to `points` points, exceeded by at most kPointsAtOnce.
-  /// Subtracts the points used from `points`. Returns whether the element is ready. @pre !done()
+  /// Works on the next element and uses up to `points` points. The last step may use up to
+  /// kPointsAtOnce points more. Subtracts the points used from `points`. Returns whether the
+  /// element is ready.
+  /// @pre !done()
   [[nodiscard]] bool work(std::uint32_t& points);
   /// Returns the next element. First finishes the work on it if necessary. @pre !done()
   [[nodiscard]] PathElement next();
@@ -54,7 +56,7 @@ class ArcFit {
   enum class Step : std::uint8_t { kReach, kConfirm, kOther, kConfirmOther, kStraight, kReady };
 
   struct Reach {
-    float distance = 0.0F;  ///< Distance in knots; 0 if no biarc was found.
+    float distance = 0.0F;  ///< Distance along the curve, in knots; 0 if no biarc was found.
     float joint_share = 0.5F;
   };
 
@@ -87,11 +89,12 @@ class ArcFit {
   float tolerance_mm_;
   float last_distance_ = 0.0F;
   Step step_ = Step::kReach;
-  std::uint8_t times_ = 0;  ///< Number of steps of this kind so far for the element.
-  Reach reach_{};           ///< Farthest biarc found so far that fits.
-  float distance_ = 0.0F;   ///< Next distance to be tried, in knots.
+  /// Number of steps of the present kind (`step_`) so far for the element.
+  std::uint8_t times_ = 0;
+  Reach reach_{};          ///< Farthest biarc found so far that fits.
+  float distance_ = 0.0F;  ///< Next distance to be tried, in knots.
   float out_of_reach_ = 0.0F;
-  float found_mm_ = 0.0F;  ///< Deviation that the last close comparison found.
+  float found_mm_ = 0.0F;  ///< Deviation that the last close comparison found, mm.
   bool bounded_ = false;   ///< Whether some tried distance was out of reach.
   bool crumb_seen_ = false;
   bool second_waits_ = false;

@@ -19,7 +19,8 @@ std::optional<PlaneFrame> plane_through(const AxisVector& first, const AxisVecto
   const float size = norm(across);
   if (size < kMinAngle) return std::nullopt;
   across = scaled(1.0F / size, across);
-  // If the two vectors are nearly parallel, rounding has left a large part of `first` in `across`.
+  // If the two vectors are nearly parallel, rounding has left a large part of `first` in `across`,
+  // so this part is subtracted once more.
   across = sum_of(across, -dot(first, across), first);
   return PlaneFrame{first, scaled(1.0F / norm(across), across)};
 }

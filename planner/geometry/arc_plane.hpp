@@ -75,7 +75,7 @@ class ArcPlane {
 /// otherwise plane_through() of the two vectors.
 [[nodiscard]] std::optional<ArcPlane> plane_of(const AxisVector& first, const AxisVector& second);
 
-/// @pre `plane` is a coordinate plane
+/// Returns the axes of a coordinate plane. @pre `plane` is a coordinate plane
 [[nodiscard]] constexpr PlaneAxes axes_of(const ArcPlane& plane) {
   return axes_of(plane.coordinate_plane());
 }

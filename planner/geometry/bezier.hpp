@@ -35,7 +35,7 @@ class Bezier {
   static constexpr std::size_t kHighestDegree = 5;
 
   Bezier() = default;
-  /// @pre `degree` is 1…kHighestDegree. Entries of `points` after that index are not used.
+  /// @pre `degree` is 1…kHighestDegree. Entries of `points` after index `degree` are not used.
   Bezier(const std::array<WeightedPoint, kHighestDegree + 1>& points, std::size_t degree)
       : points_{points}, degree_{degree} {}
 
@@ -45,13 +45,13 @@ class Bezier {
 
   /// Returns the part of the curve before `parameter`, or the part after it (de Casteljau). Each
   /// part has its own parameter 0…1. Control points are exact within kBezierError, relative to the
-  /// greatest control point of the complete curve.
+  /// farthest control point of the complete curve.
   /// @param parameter 0…1.
   [[nodiscard]] Bezier until(float parameter) const;
   [[nodiscard]] Bezier from(float parameter) const;
 
-  /// Returns the first point of the curve, or its last point, to the nearest nanometre, plus
-  /// kBezierError.
+  /// Returns the first point of the curve, or its last point, rounded to the nearest nanometre. The
+  /// error of kBezierError adds to the rounding.
   [[nodiscard]] PlanePlace start() const { return place_of(points_[0]); }
   [[nodiscard]] PlanePlace end() const { return place_of(points_[degree_]); }
 

@@ -115,8 +115,8 @@ float BiarcTrial::deviation_closely(CurveAhead& curve, float joint_share) const 
   return gauge.deviation();
 }
 
-/// Searches by golden section, because with a growing share the deviation first falls and then
-/// rises.
+/// Searches by golden section, because the deviation first falls and then rises with a growing
+/// joint share.
 BiarcTrial::Fit BiarcTrial::best(float enough_mm) const {
   constexpr float kGolden = 0.618034F;
   constexpr int kMaxSteps = 8;

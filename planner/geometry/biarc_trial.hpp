@@ -11,11 +11,12 @@ namespace cnc {
 
 /// A sampled part of a curve with which biarcs are compared.
 ///
-/// Each point of the curve has a nearest point on the biarc. It advances with the curve as long as
-/// the directions of curve and arc differ by less than a quarter turn there. Then each point of the
-/// curve has a counterpart on the biarc and vice versa, and the deviation holds both ways
-/// (Hausdorff distance). If that condition fails at a sample, or if the curve turns by more than a
-/// sixth of a turn between two samples, no biarc is accepted.
+/// Each point of the curve has a nearest point on the biarc. The nearest point advances with the
+/// curve as long as the directions of the curve and of the biarc differ by less than a quarter turn
+/// at the two points. Then each point of the curve has a counterpart on the biarc and vice versa,
+/// and the deviation holds both ways (Hausdorff distance). No biarc is accepted if the directions
+/// differ more at a sample, or if the curve turns by more than a sixth of a turn between two
+/// samples.
 class BiarcTrial {
  public:
   /// Number of inner samples; the two ends of the curve are not counted.

@@ -20,10 +20,10 @@ constexpr std::uint32_t times(std::uint32_t a, std::uint32_t b) {
   return static_cast<std::uint32_t>((std::uint64_t{a} * b) >> 32);
 }
 
-// Interpolants of S and C at Chebyshev nodes over x² ≤ (π/2)², with an error below 2e-11. They are
-// in powers of w = (x / 2)², so that no coefficient vanishes in Q32. The signs of the coefficients
-// alternate, so each polynomial is evaluated as differences of numbers between 0 and 1. The
-// coefficients below are stored without signs.
+// Interpolants of S and C (see ChordFrame) at Chebyshev nodes over x² ≤ (π/2)², with an error below
+// 2e-11. They are in powers of w = (x / 2)², so that no coefficient vanishes in Q32. The signs of
+// the coefficients alternate, so each polynomial is evaluated as differences of numbers between 0
+// and 1. The coefficients below are stored without signs.
 using Polynomial = std::array<std::uint32_t, 6>;
 constexpr Polynomial kSineQuotient{q32(0.9999999999828987L),
                                    q32(0.16666666616765985L * 4),
@@ -31,7 +31,7 @@ constexpr Polynomial kSineQuotient{q32(0.9999999999828987L),
                                    q32(0.00019840860936542099L * 64),
                                    q32(2.752525717007601e-06L * 256),
                                    q32(2.3888990176685845e-08L * 1024)};
-constexpr Polynomial kVersineQuotient{kMaxQ31,  // Below one half, because a height has a sign bit.
+constexpr Polynomial kVersineQuotient{kMaxQ31,  // Just below ½, because a height has a sign bit.
                                       q32(0.04166666663086609L * 4),
                                       q32(0.001388888719520905L * 16),
                                       q32(2.4801294036003528e-05L * 64),
@@ -72,7 +72,7 @@ ChordPoint ChordFrame::at(std::uint32_t fraction) const {
   const std::uint32_t sine_quotient = evaluate(kSineQuotient, w);
   const std::uint32_t versine_quotient = evaluate(kVersineQuotient, w);
 
-  // Near the ends the product may be rounded up to 1.
+  // Near the ends the product may be rounded up to 1, which Q31 cannot represent.
   const std::uint32_t rounded = times(times(mu, sine_quotient), inverse_sine_q31_);
   const auto size_q31 = static_cast<std::int32_t>(std::min(rounded, kMaxQ31));
   const std::int32_t sine_ratio_q31 = second_half ? size_q31 : -size_q31;

@@ -40,10 +40,10 @@ class ChordFrame {
 
  private:
   float half_sweep_;
-  std::uint32_t quarter_square_q32_;  ///< (h / 2)².
-  std::uint32_t versine_q32_;         ///< C(h²).
-  std::uint32_t inverse_sine_q31_;    ///< h / sin h, 1…π/2.
-  std::int32_t height_scale_q29_;     ///< h² / sin h.
+  std::uint32_t quarter_square_q32_;  ///< (h / 2)², with the half sweep h.
+  std::uint32_t versine_q32_;         ///< Value of the function C at h².
+  std::uint32_t inverse_sine_q31_;    ///< The ratio h / sin h, 1…π/2.
+  std::int32_t height_scale_q29_;     ///< The ratio h² / sin h, for the scale of `across`.
   float inverse_sine_;
 };
 

@@ -21,7 +21,8 @@ class CurveAhead {
   /// Greatest number of segments in view. A biarc seldom extends over three segments.
   static constexpr std::size_t kMaxPieces = 4;
 
-  /// Starts at the beginning of the spline, which must outlive this. @pre spline.complete()
+  /// Starts at the beginning of the spline. The spline must outlive this object. @pre
+  /// spline.complete()
   explicit CurveAhead(const Spline& spline) : spline_{&spline} { look(); }
 
   [[nodiscard]] bool at_end() const { return segment_ >= spline_->segment_count(); }
@@ -64,7 +65,8 @@ class CurveAhead {
   PlanePlace origin_{};
   Vec2 tangent_{1.0F, 0.0F};
   std::size_t prepared_ = 0;
-  /// Bézier curves of the segments in view. The first one begins at `parameter_`.
+  /// Bézier curves of the segments in view. The first curve begins at the present point, at
+  /// `parameter_` of its segment.
   std::array<Bezier, kMaxPieces> beziers_{};
   std::array<BezierView, kMaxPieces> views_{};
 };

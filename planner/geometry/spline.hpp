@@ -13,7 +13,7 @@ namespace cnc {
 struct ControlPoint {
   /// Position relative to the first control point, in nm; each coordinate within 2 km.
   PlanePlace place{};
-  float weight = 1.0F;  ///< kMinWeight…kMaxWeight.
+  float weight = 1.0F;  ///< Weight, kMinWeight…kMaxWeight.
 };
 
 /// A rational B-spline (NURBS) in the X Y plane over uniform knots. It is clamped at both ends: it

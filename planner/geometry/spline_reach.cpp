@@ -12,7 +12,7 @@ bool contains(const PlaneBox& box, const PlanePlace& place) {
 
 struct Hull {
   bool inside;
-  bool tiny;  ///< Whether the hull is so small that the curve's ends represent all of it.
+  bool tiny;  ///< Whether the hull is so small that the curve's ends represent the complete curve.
 };
 
 Hull hull_of(const Bezier& bezier, const PlaneBox& box) {
@@ -27,7 +27,7 @@ Hull hull_of(const Bezier& bezier, const PlaneBox& box) {
                   hull.most.y - hull.least.y <= kReachDoubtNm};
 }
 
-/// Returns whether the curve stays within the box. It advances along the curve in steps. A step is
+/// Returns whether the curve stays within the box. Checks the curve in steps along it. A step is
 /// halved if its hull leaves the box, and doubled if its hull stays inside.
 bool stays_within(const Bezier& curve, const PlaneBox& box) {
   constexpr int kMaxSteps = 400;

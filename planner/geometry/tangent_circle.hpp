@@ -38,6 +38,7 @@ struct BasicTangentCircle {
   }
 };
 using TangentCircle = BasicTangentCircle<float>;
-using WideTangentCircle = BasicTangentCircle<double>;  ///< Used by path makers on the host.
+/// Circle in double precision, for path makers on the host.
+using WideTangentCircle = BasicTangentCircle<double>;
 
 }  // namespace cnc

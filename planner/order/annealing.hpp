@@ -34,7 +34,7 @@ struct AnnealingSpace {
   }
 };
 
-/// Cost of the path at the end of a temperature: a point of Fig. 7 of the paper.
+/// Results of one temperature, with the cost of the path at its end: a point of Fig. 7 of paper 3.
 struct AnnealingPoint {
   double temperature;
   double cost;
@@ -43,20 +43,20 @@ struct AnnealingPoint {
 };
 
 /// Simulated annealing as Han and Na describe it for torch paths (paper 3). Each try shifts a
-/// stretch of the path or, if that is not accepted, reverses one. Then it tries another pierce
-/// point on an outer contour or, if that is not accepted, on an inner contour.
+/// stretch of the path or, if the shift is not accepted, reverses a stretch. Then it tries another
+/// pierce point on an outer contour or, if this point is not accepted, on an inner contour.
 ///
 /// As printed: the search starts from a random path with θ = 1.5, then θ ← 0.9 θ. Each θ has 100 N
-/// tries. The run ends after 300 temperatures or below θ = 0.001. This code differs where the paper
-/// is silent or wrong:
+/// tries. The run ends after 300 temperatures or below θ = 0.001. This code has the following
+/// properties where the paper is silent or wrong:
 /// * The sign of ΔC: better paths are accepted, and worse paths with probability e^(−ΔC/θ). As
 ///   printed, the program would search for the longest path.
 /// * nLIMIT, the number of accepted changes that ends a temperature, is 10 N, as in `anneal` of
 ///   Numerical Recipes, whose scheme the paper uses. N is the number of contours, including home.
 /// * Costs are divided by `unit`, the side of the square that contains all points, because θ = 1.5
 ///   has a meaning only on the unit square.
-/// * The path is a tour with a fixed home. Paths that violate precedence are rejected, which the
-///   paper does not mention.
+/// * The path is a tour with a fixed home. Paths that violate precedence are rejected; the paper
+///   does not mention precedence.
 /// * A contour that must come before another contour is inner; all other contours are outer.
 template <LegCost Cost>
 class Annealing {
@@ -181,7 +181,7 @@ void Annealing<Cost>::start_at_random() {
   tour_.assign(ready, chosen);
 }
 
-/// Makes one pass of the inner loop of Fig. 4.
+/// Makes one pass of the inner loop of Fig. 4 of paper 3.
 template <LegCost Cost>
 void Annealing<Cost>::try_once() {
   if (tour_.size() > 2 && (shift() || reverse())) ++accepted_;

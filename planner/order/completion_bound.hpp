@@ -12,13 +12,14 @@ struct CompletionBoundSizes {
   std::size_t candidates;
 };
 
-/// The cheapest continuation of a walk from a candidate, and the cheapest continuation with a
+/// The cheapest continuation of a walk from a candidate, and the cheapest continuation through a
 /// different next set.
 struct WalkRest {
   double cost;
   double other_cost;
-  Index next;        ///< Next candidate of the walk.
-  Index other_next;  ///< Candidate of a set other than `next_set`.
+  Index next;  ///< Next candidate of the walk.
+  /// Next candidate of the cheapest continuation through a set other than `next_set`.
+  Index other_next;
   Index next_set;
 };
 inline constexpr WalkRest kNoWalk{std::numeric_limits<double>::infinity(),
@@ -46,10 +47,11 @@ struct CompletionBoundSpace {
 /// Computes a lower bound of the cost of the rest of a tour.
 ///
 /// A walk has as many steps as a tour, but need not visit each set exactly once. The cheapest walk
-/// is found backwards, step by step. Each set has a price, which is refunded at each visit. With
-/// suitable prices the cheapest walks are almost tours (Lagrange multipliers by subgradients, after
-/// Held and Karp 1971). A walk does not return directly to the set that it has just left. It
-/// observes the rules of precedence for neighbours and for positions in the tour.
+/// is found backwards, step by step. Each set has a price. The bound contains the price once and
+/// refunds it at each visit, so prices do not change the cost of a tour. With suitable prices the
+/// cheapest walks are almost tours (Lagrange multipliers by subgradients, after Held and Karp
+/// 1971). A walk does not return directly to the set that it has just left. It observes the rules
+/// of precedence for neighbours and for positions in the tour.
 template <LegCost Cost>
 class CompletionBound {
  public:
@@ -78,7 +80,7 @@ class CompletionBound {
 
   /// Evaluates the present prices and changes them once.
   /// @param home candidate where the tour begins and ends
-  /// @return false if further calls are useless
+  /// @return false if all rounds are used, or if further calls would hardly raise the bound
   bool raise(Index home, double known_cost) {
     const double bound = find(home);
     if (bound > best_) {

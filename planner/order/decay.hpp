@@ -10,8 +10,8 @@ inline constexpr double kWideDecayError = 1.0e-13;
   constexpr int kHalvings = 6;
   constexpr int kTerms = 16;
   if (x > kFarthest) return 0.0;
-  // Computes e^+x, because all terms of its series have one sign: a Taylor series of x / 64,
-  // squared six times.
+  // Computes e^+x, because all terms of its series have one sign and cannot cancel each other. The
+  // method is a Taylor series of x / 64, squared six times.
   double small = x;
   for (int i = 0; i < kHalvings; ++i) small *= 0.5;
   double sum = 1.0;

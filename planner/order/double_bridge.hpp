@@ -12,8 +12,8 @@ namespace cnc::order {
 /// A change of three neighbouring stretches B C D of a tour to D C B. No exchange of three legs can
 /// undo this disturbance.
 struct DoubleBridge {
-  /// Greatest number of sets in a stretch. Shorter stretches disturb too little, and longer
-  /// stretches require more repair.
+  /// Greatest number of sets in a stretch. A smaller limit would disturb the tour too little, and a
+  /// greater limit would require more repair.
   static constexpr Index kLongest = 50;
   static constexpr Index kFewestSets = 4;
 

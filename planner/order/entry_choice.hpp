@@ -131,7 +131,7 @@ class EntryChoice {
     }
     for (Index i = length; i-- > 0;) {
       space_.best[i] = candidate;
-      // The result is kNone after the first set of the stretch.
+      // The first set of the stretch has no candidate before it: the value is kNone.
       candidate = space_.before[candidate];
     }
     return least;

@@ -54,7 +54,7 @@ class Exact {
   [[nodiscard]] bool has_tour() const { return has_tour_; }
   [[nodiscard]] std::span<const Index> order() const { return space_.order; }
   [[nodiscard]] std::span<const Index> chosen() const { return space_.chosen; }
-  /// Returns the lower bound of all tours from the present candidate of home.
+  /// Returns a lower bound of the cost of all tours that begin at the present candidate of home.
   [[nodiscard]] double first_bound() const { return first_bound_; }
   [[nodiscard]] std::size_t states() const { return state_count_; }
   /// Returns the number of visited sets in the states that are extended at present.
@@ -63,15 +63,16 @@ class Exact {
  private:
   using State = ExactSpace::State;
   static constexpr double kInfinite = std::numeric_limits<double>::infinity();
-  /// Share of the cost by which a tour must be cheaper to count as cheaper.
+  /// Share of the known cost by which a tour must be cheaper to count as cheaper. A smaller
+  /// difference may be rounding.
   static constexpr double kRounding = 1.0e-9;
-  // Up to this number of sets, better bounds take longer than they save.
+  // Up to this number of sets, more rounds of the bound take longer than the better bound saves.
   static constexpr Index kFewSets = 20;
   static constexpr int kRoundsOfFew = 15;
   static constexpr int kRounds = 60;
 
-  /// Returns the limit of useful bounds: a state with a bound at or above it leads to no cheaper
-  /// tour.
+  /// Returns the cost that the bound of a state must be below. Otherwise the state leads to no
+  /// cheaper tour.
   [[nodiscard]] double limit() const { return best_cost_ - kRounding * std::abs(best_cost_); }
 
   void begin();
@@ -108,7 +109,7 @@ class Exact {
 template <LegCost Cost>
 void Exact<Cost>::begin() {
   const int rounds = sets_ <= kFewSets ? kRoundsOfFew : kRounds;
-  // Without a known tour, the prices have no target.
+  // Without a known tour, the prices have no target cost, so one round is made.
   bound_.start(best_cost_ < kForbidden ? rounds : 1);
   is_bounding_ = true;
 }
@@ -203,7 +204,7 @@ void Exact<Cost>::extend(std::span<const State> group) {
 
 /// Adds the state that visits `last` after one of the states of a group. Adds nothing if the bound
 /// shows that the state leads to no cheaper tour.
-/// @param group empty for the first set after home
+/// @param group states with the same visited sets; empty for the first set after home
 /// @return false if the storage is full
 template <LegCost Cost>
 bool Exact<Cost>::add_state(SetMask visited, Index last, std::span<const State> group) {
@@ -252,8 +253,8 @@ std::span<const ExactSpace::State> Exact<Cost>::group_of(Index layer, SetMask vi
   return {first, end};
 }
 
-/// Writes the tour that ends at a candidate, from its end to its start. Finds the same minima as
-/// the forward search.
+/// Writes the tour that ends at a candidate, from its end to its start. Finds each predecessor as
+/// the same minimum as the forward search.
 template <LegCost Cost>
 void Exact<Cost>::trace(Index candidate) {
   SetMask visited = all_;

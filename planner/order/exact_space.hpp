@@ -26,7 +26,8 @@ struct ExactSpace {
   CompletionBoundSpace bound;
   std::span<State> states;
   std::span<double> values;
-  /// Index of the first state of each layer, and the end of the last layer.
+  /// Index of the first state of each layer, and the end of the last layer. A layer consists of the
+  /// states with the same number of visited sets.
   std::span<std::size_t> layers;
   std::span<Index> order;
   std::span<Index> chosen;

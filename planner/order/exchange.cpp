@@ -3,9 +3,10 @@
 namespace cnc::order {
 namespace {
 
-/// Returns a rearrangement of C and the rest of the tour. It gives the same cyclic tour as the
-/// rearrangement `how` of B and C, up to its direction. Applied twice, the function gives the
-/// rearrangement of the rest and B. The table was found by writing out each case.
+/// Returns the rearrangement of the stretch C and the rest of the tour that gives the same cyclic
+/// tour as the rearrangement `how` of the stretches B and C (see Rearrangement). The tour may run
+/// in the opposite direction. Applied twice, the function gives the rearrangement of the rest and
+/// B. The table was found by writing out each case.
 Rearrangement without_moving_first(Rearrangement how) {
   switch (how) {
     case Rearrangement::kSwap:

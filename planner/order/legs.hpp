@@ -48,7 +48,7 @@ class Legs {
     return sum;
   }
 
-  /// Returns the end on the other side of the leg at `end`.
+  /// Returns the other end of the leg that begins or ends at `end`.
   [[nodiscard]] LooseEnd across(const LooseEnd& end) const {
     return {end.is_entry ? tour_->before(end.set) : tour_->after(end.set), !end.is_entry};
   }

@@ -71,7 +71,8 @@ class LocalSearch {
  private:
   /// Number of neighbours that are tried for a third leg, or as positions to insert a set.
   static constexpr Index kThirdWidth = 5;
-  // Limits for tours whose beginning is fixed: longer stretches take more time than they gain.
+  // Greatest numbers of sets that are checked and moved in a tour that is not free (see Problem).
+  // Longer stretches take more time than their gain is worth.
   static constexpr Index kMaxChecked = 1000;
   static constexpr Index kMaxMoved = 30'000;
 
@@ -116,8 +117,9 @@ class LocalSearch {
   Feasibility may_;
   double min_gain_;
   bool is_free_;
-  bool has_lines_;  ///< Whether some reversed sets have other entries than the sets themselves.
-  bool is_plain_;   ///< Whether each set has only one candidate.
+  /// Whether a set exists whose reversal has another entry, as an open line has.
+  bool has_lines_;
+  bool is_plain_;  ///< Whether each set has only one candidate.
   /// Whether a later neighbour in a list always costs more, so that a search may end early.
   bool ends_early_;
 };

@@ -54,7 +54,7 @@ class NearestSets {
     Index at = 0;
     while (at < count_ && found_[at].set != set) ++at;
     if (at == count_ && count_ < width_) ++count_;
-    if (at == count_) --at;  // The set replaces the farthest set.
+    if (at == count_) --at;  // The offered set replaces the farthest set.
     if (found_[at].set == set && found_[at].distance <= distance) return;
     for (; at > 0 && is_before({distance, set}, found_[at - 1]); --at) found_[at] = found_[at - 1];
     found_[at] = {distance, set};
@@ -92,7 +92,7 @@ struct CandidatePlaces {
 /// Finds neighbours by distance in the plane. The distance of two sets is that of their nearest
 /// points.
 /// @param tree tree of all entries and, unless contours are closed, of all exits after them; all
-///     are present
+///     points are present
 /// @param set_of the set of each candidate
 inline Neighbours find_neighbours(const Problem& problem,
                                   const CandidatePlaces& places,

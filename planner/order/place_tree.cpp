@@ -40,8 +40,8 @@ void PlaceTree::split(Range range) {
   }
   const bool by_y = greatest.y - least.y > greatest.x - least.x;
   const Index middle = middle_of(range);
-  // For equal coordinates the index decides, so that every implementation of the library builds the
-  // same tree.
+  // For equal coordinates the index decides, so that every implementation of the standard library
+  // builds the same tree.
   std::nth_element(
       items.begin(), items.begin() + (middle - range.begin), items.end(), [&](Index a, Index b) {
         const double one = by_y ? places_[a].y : places_[a].x;

@@ -78,8 +78,8 @@ class PlaceTree {
     Range range;
     double gap;  ///< Squared distance to the line that separates the subtree from the centre.
   };
-  // Greatest number of subtrees that wait. A tree of 2^32 points has at most 33 levels, and on each
-  // level one half waits.
+  // Greatest number of subtrees that wait to be searched. A tree of 2^32 points has at most 33
+  // levels, and on each level one half waits.
   static constexpr std::size_t kMaxDepth = 40;
 
   [[nodiscard]] Range all() const { return {0, static_cast<Index>(places_.size())}; }
@@ -94,8 +94,8 @@ class PlaceTree {
     return range.begin < range.end ? space_.present[middle_of(range)] : 0;
   }
 
-  /// Descends towards the leaf that is nearest to `centre` in the order of the tree. Passes the
-  /// other halves to `keep`.
+  /// Descends towards the leaf on the side of `centre`. On each level, visits the middle point and
+  /// passes the half on the other side to `keep`.
   template <typename Visit, typename Keep>
   void descend(const Place& centre, Range range, double& limit, Visit&& visit, Keep&& keep) const {
     while (present_in(range) > 0) {

@@ -50,7 +50,8 @@ std::size_t find_ring(const Precedence& lists, const PrecedenceSpace& space) {
   const auto sets = static_cast<Index>(space.waits_for.size());
   Index set = 0;
   while (!waiting(set)) ++set;
-  std::span<Index> met_at = space.ready;  // `ready` is no longer needed.
+  // Reuses the storage of `ready`, whose content is not required any more.
+  std::span<Index> met_at = space.ready;
   std::fill(met_at.begin(), met_at.end(), sets);
   std::size_t length = 0;
   while (met_at[set] == sets) {

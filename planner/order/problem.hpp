@@ -54,9 +54,9 @@ concept LegCost = requires(const Cost& cost, Index from, Index to) {
   { cost(from, to) } -> std::convertible_to<double>;
 };
 
-/// Cost of a forbidden leg. It far exceeds the sum of all other legs, but leaves enough digits for
-/// them. So a tour with forbidden legs is worse than any tour without them. Of two tours with
-/// forbidden legs, the tour with fewer of them is better.
+/// Cost of a forbidden leg. It far exceeds the sum of all other legs, but is small enough for a sum
+/// with it to keep their digits. So a tour with forbidden legs is worse than any tour without them.
+/// Of two tours with forbidden legs, the tour with fewer of them is better.
 inline constexpr double kForbidden = 1.0e12;
 
 /// Returns whether a tour of this cost has no forbidden leg.

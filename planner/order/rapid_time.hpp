@@ -21,7 +21,7 @@ struct RapidLimits {
 /// sets a window of at most 256 ms (cnc::motion::window_for()). The acceleration cannot exceed the
 /// value that it reaches within this window.
 [[nodiscard]] inline double planned_acceleration(double acceleration, double jerk) {
-  constexpr double kLongestWindow = 0.256;  // s.
+  constexpr double kLongestWindow = 0.256;  // Longest window, s.
   return jerk > 0.0 ? std::min(acceleration, jerk * kLongestWindow) : acceleration;
 }
 
@@ -48,8 +48,8 @@ struct RapidLimits {
   const bool is_short = rate * jerk < acceleration * acceleration;
   const double ramp = is_short ? 2.0 * std::sqrt(rate / jerk) : full + rate / acceleration;
   if (length >= rate * ramp) return ramp + length / rate;
-  // Here full speed is not reached. Full acceleration is reached in the first case, but not in the
-  // second case.
+  // The move is too short for full speed. It reaches full acceleration in the first case, but not
+  // in the second case.
   if (length >= 2.0 * acceleration * full * full) {
     return 2.0 * (0.5 * full + std::sqrt(0.25 * full * full + length / acceleration));
   }

@@ -47,13 +47,13 @@ struct SearchSpace {
 template <LegCost Cost>
 class Search {
  public:
-  /// A tour that keeps the precedence.
+  /// The tour from which a search starts. It must keep the precedence.
   struct Start {
     std::span<const Index> order;   ///< A permutation of the sets, home first.
     std::span<const Index> chosen;  ///< Candidate that is chosen for each set, indexed by set.
   };
 
-  /// Starts a search. All arguments except `start` must outlive it.
+  /// Starts a search. All arguments except `start` must outlive the search.
   Search(const Problem& problem,
          const Cost& cost,
          const Neighbours& neighbours,
@@ -108,23 +108,26 @@ class Search {
   }
 
  private:
-  /// Least gain that is not rounding, as a share of the tour's cost.
+  /// Least gain that counts, as a share of the tour's cost. A smaller gain may be rounding.
   static constexpr double kRounding = 1.0e-12;
-  /// Greatest accepted loss at `slack` 1, in mean legs; tuned on random points.
+  /// Greatest loss that is accepted at `slack` 1, as a multiple of the mean cost of a leg; tuned on
+  /// random points.
   static constexpr double kWarmth = 1.0;
   /// Greatest number of changes that one improvement makes.
   static constexpr std::size_t kChangesOfStep = 8;
-  /// Least number of trials between two copies of the best tour: one for each kSetsToKeep sets.
+  /// The best tour is copied only after one trial for each kSetsToKeep sets since the previous
+  /// copy.
   static constexpr Index kSetsToKeep = 64;
-  /// Number of trials after which the cost is recomputed, to remove rounding.
+  /// Number of trials after which the cost is recomputed, to remove accumulated rounding errors.
   static constexpr std::uint64_t kRecount = 1U << 16U;
-  /// Number of sets before and after a set whose candidates are chosen again.
+  /// Number of sets before and after a tried set whose candidates are chosen again together with
+  /// its own.
   static constexpr Index kReach = 2;
   /// Greatest number of sets for which all candidates are chosen again.
   static constexpr Index kFewSets = 64;
-  // Each constant N gives a probability of 1/N. kAgainOneIn: of a further disturbance. The other
-  // two: that a disturbance reverses a stretch of the tour instead of making a double bridge, with
-  // few sets and with many sets.
+  // A constant N stands for the probability 1/N. kAgainOneIn is the constant for a further
+  // disturbance. The other two are for a disturbance that reverses a stretch of the tour instead of
+  // making a double bridge, with few sets and with many sets.
   static constexpr Index kAgainOneIn = 4;
   static constexpr Index kTurnOneInOfFew = 4;
   static constexpr Index kTurnOneIn = 8;
@@ -174,8 +177,8 @@ class Search {
     if (tour_.size() > kFewSets) return disturb_once(!problem_->precedence.empty(), kTurnOneIn);
     double gain = disturb_once(true, kTurnOneInOfFew);
     while (random_.below(kAgainOneIn) == 0) gain += disturb_once(true, kTurnOneInOfFew);
-    // Without this, local search would give up a good order if the candidates are those of another
-    // order.
+    // The disturbance keeps candidates that suit the previous order. Without a new choice, local
+    // search would reject a good order because of them.
     if (random_.below(2) == 0) gain += choose_all();
     return gain;
   }
@@ -220,7 +223,7 @@ class Search {
     double gain = 0.0;
     for (std::size_t i = 0; i < tried_count_; ++i) {
       const Index position = tour_.position_of(tried_[i]);
-      // The previous set's stretch includes this set.
+      // The stretch around the previous set includes this set.
       if (i > 0 && position + 1 - tour_.position_of(tried_[i - 1]) <= 2) continue;
       const Index start = position >= kReach ? position - kReach : position + tour_.size() - kReach;
       gain += choice_.improve(start, 2 * kReach + 1, min_gain_, changed());

@@ -35,6 +35,7 @@ class StorageParts {
   /// @param block must be aligned like a double, and must outlive the spans
   explicit StorageParts(std::span<std::byte> block) : rest_{block} {}
 
+  /// Cuts the span `part` with `count` items out of the block.
   /// @pre The block has at least as many bytes as StorageSize computes.
   template <typename Item>
   void operator()(std::span<Item>& part, std::size_t count) {

@@ -8,7 +8,7 @@
 namespace cnc::order {
 
 /// Rearrangements of the two neighbouring stretches B and C of a tour A B C, in which three legs of
-/// the tour change.
+/// the tour change. B⁻ is B in reverse.
 enum class Rearrangement : std::uint8_t {
   kSwap,               ///< A C B
   kSwapReverseFirst,   ///< A C B⁻

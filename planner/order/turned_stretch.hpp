@@ -26,7 +26,7 @@ struct TurnedStretchSpace {
 /// A disturbance for tours with precedence. It reverses a stretch, except that a set with
 /// predecessors in the stretch comes directly after the last of them. So a row of nested contours
 /// is driven from its other end, still with inner contours first. No sequence of small changes
-/// achieves that without worse tours in between.
+/// leads to such a tour without worse tours in between.
 class TurnedStretch {
  public:
   /// Greatest number of sets in a stretch.

@@ -14,7 +14,7 @@ using contour::FlatBox;
 bool AreaDistance::read(const contour::ContourView<double>& area) {
   count_ = loop_count_ = 0;
   double reach = 0.0;
-  double faults = 0.0;  // Sum that stays 0 until a value is not finite; then it is NaN.
+  double faults = 0.0;  // Stays 0 while all values are finite; otherwise it becomes NaN.
   for (const contour::Vertex<double>& vertex : area.vertices) {
     reach = std::max({reach, std::abs(vertex.x), std::abs(vertex.y)});
     faults += 0.0 * (vertex.x + vertex.y + vertex.bulge);
@@ -56,9 +56,10 @@ std::uint32_t AreaDistance::previous(std::uint32_t index) const {
   return index > first ? index - 1 : space_.loop_ends[loop] - 1;
 }
 
-/// Decides by the nearest element. If the nearest point is a corner, the place is inside if the
-/// boundary turns right at the corner. Such a place faces neither side of the corner, or it faces
-/// both sides of a cusp.
+/// Returns whether `place` is in the area, given the element nearest to it. The side of this
+/// element decides, unless the nearest point is a corner. At a corner, `place` faces neither
+/// element, or it faces both elements of a cusp. It is then inside if the boundary turns right at
+/// the corner.
 bool AreaDistance::is_inside(const WideVec2& place, std::uint32_t element) const {
   const Curve<double>& curve = space_.elements[element];
   const bool at_start = (place - curve.start).squaredNorm() <= (place - curve.end).squaredNorm();
@@ -71,11 +72,13 @@ bool AreaDistance::is_inside(const WideVec2& place, std::uint32_t element) const
   const double to_corner = (place - after.start).norm();
   const bool is_ahead = is_cusp && to_corner <= (1.0 + kStraight) * curve.distance(place);
   if (!is_ahead && curve.faces(place, 0.0)) return curve.side(place) < 0.0;
-  // A cusp turns right if the element that leaves it bends more to the left than the element that
-  // arrives at it, as seen in the opposite direction.
+  // At a cusp the boundary reverses its direction. It turns right if the element after the cusp
+  // bends more to the left than the element before the cusp, driven backwards: `after.curvature` >
+  // −`before.curvature`.
   if (is_cusp) return before.curvature + after.curvature > 0.0;
-  // The tangents of an element of a few nanometres have errors far above kStraight, so a small turn
-  // decides nothing. The place is then nearly at a right angle to the boundary.
+  // An element of a few nanometres has tangents with errors far above kStraight, so the sign of a
+  // small turn is unreliable. The line from the corner to `place` is then nearly at a right angle
+  // to the boundary, and its side of the boundary decides.
   constexpr double kNearlyStraight = 1.0e-3;
   const bool is_straight =
       std::abs(turn) <= kNearlyStraight && before.end_tangent.dot(after.start_tangent) > 0.0;

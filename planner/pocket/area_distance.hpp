@@ -17,7 +17,8 @@ struct BoundaryPoint {
   WideVec2 point{0.0, 0.0};
   double distance = 0.0;  ///< Distance in mm, never negative.
   std::uint32_t element = 0;
-  /// Whether the given point is in the area. For a point on the boundary both results are possible.
+  /// Whether the given point is in the area. For a point on the boundary the value may be true or
+  /// false.
   bool inside = false;
 };
 
@@ -34,8 +35,8 @@ struct DistanceSizes {
   }
 };
 
-/// Working storage of an AreaDistance, which it must outlive. The comment of each span gives its
-/// size by DistanceSizes.
+/// Working storage of an AreaDistance. The storage must outlive the AreaDistance. The comment of
+/// each span names the member of DistanceSizes that gives its size.
 struct DistanceSpace {
   contour::Slice<contour::Vertex<double>> vertices;  ///< elements()
   contour::Slice<contour::Curve<double>> elements;   ///< elements()
@@ -60,9 +61,10 @@ class BoundedDistanceSpace {
 
 /// Distances from the boundary of an area of lines and arcs, found with a tree of boxes.
 ///
-/// Guarantee: a distance is exact within 2e-11 of the greatest coordinate, because shorter elements
-/// are ignored. For a point farther than this from the boundary, `inside` is right. Of n elements
-/// in the order of a contour, a search checks O(log n) boxes.
+/// Guarantee: the error of a distance is at most 2e-11 times the greatest coordinate, because
+/// elements shorter than this are ignored. For a point farther than this error from the boundary,
+/// `inside` is right. If the n elements are in the order of a contour, a search checks O(log n)
+/// boxes.
 class AreaDistance {
  public:
   explicit AreaDistance(const DistanceSpace& space) : space_{space}, tree_{space.boxes} {}

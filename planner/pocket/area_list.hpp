@@ -7,7 +7,8 @@
 
 namespace cnc::pocket {
 
-/// First vertex and first loop of a connected area, as indices in the list of areas.
+/// Index of the first vertex and of the first loop of a connected area in the storage of an
+/// AreaList.
 struct AreaRange {
   std::uint32_t first_vertex = 0;
   std::uint32_t first_loop = 0;

@@ -73,7 +73,7 @@ std::uint32_t owner_of(const ContourView<Scalar>& contour,
   return best;
 }
 
-/// Measures each loop and returns the number of outlines.
+/// Stores the area of each loop and the box around each outline. Returns the number of outlines.
 template <typename Scalar>
 std::uint32_t measure_loops(const ContourView<Scalar>& contour, Slice<LoopNote<Scalar>> notes) {
   std::uint32_t outlines = 0;

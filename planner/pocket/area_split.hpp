@@ -14,9 +14,10 @@ template <typename Scalar>
 struct LoopNote {
   Scalar area{};  ///< Enclosed area in mm², negative for holes.
   contour::FlatBox<Scalar> box{};
-  /// For an outline: the last hole found in the outline.
+  /// For an outline: index of the hole that was found last in it; kNone without a hole.
   std::uint32_t first_hole = contour::kNone;
-  std::uint32_t next_hole = contour::kNone;  ///< For a hole: another hole of the same outline.
+  /// For a hole: index of the next hole of the same outline.
+  std::uint32_t next_hole = contour::kNone;
 };
 
 enum class SplitResult : std::uint8_t {
@@ -25,8 +26,9 @@ enum class SplitResult : std::uint8_t {
   kNoOwner,  ///< A hole is in no outline, because the loops cross each other.
 };
 
-inline constexpr double kMinArea = 1.0e-14;      ///< mm².
-inline constexpr double kMinHoleWidth = 1.0e-9;  ///< mm.
+/// Least area that a loop must enclose to be kept, mm².
+inline constexpr double kMinArea = 1.0e-14;
+inline constexpr double kMinHoleWidth = 1.0e-9;  ///< Least mean width of a hole that is kept, mm.
 
 /// Splits loops into connected areas and appends them to `out`. Omits a loop that encloses less
 /// than `kMinArea`. Also omits a hole whose mean width is less than `kMinHoleWidth`. Such a hole is

@@ -12,8 +12,8 @@ namespace {
 using contour::ContourView;
 using contour::kNone;
 
-/// Width in mm by which the strip cleared by a pass is assumed to be wider than the tool. Thinner
-/// remains are ignored, so that none of them requires a pass.
+/// Length in mm by which a pass is assumed to clear more than the tool's radius on each side.
+/// Remains thinner than this length are ignored, so that none of them requires a pass.
 constexpr double kThinRest = 1.0e-7;
 
 /// Sine of the least turn that counts as a corner. Elements that join smoothly turn by less.
@@ -65,8 +65,8 @@ class Clearing {
   ClearingSpace<Scalar> space_;
   PassList<Scalar>& passes_;
   Scalar cleared_;  ///< Distance on each side of a pass that is assumed to be cleared, mm.
-  /// Greatest distance by which the remaining area is moved inwards, mm. It is negative if the next
-  /// pass is outside the remaining area, because passes overlap widely.
+  /// Greatest distance, mm, by which the search for the next pass moves the remaining area inwards.
+  /// It is negative if the step-over is so small that the next pass is outside the remaining area.
   Scalar max_;
 };
 
@@ -120,9 +120,9 @@ std::optional<ClearingError> Clearing<Scalar>::split_locus(const ContourView<Sca
   return split(pocket, list);
 }
 
-/// Returns the goal grown by the corner radius. Parts of a goal that are less than twice this
-/// radius apart merge, with corners between them. Arcs of this radius then fill these corners, so
-/// the pass surrounds slightly more than necessary.
+/// Returns the pass around a goal: the boundary of the goal grown by the corner radius. Parts of a
+/// goal that are less than twice this radius apart merge, with corners between them. Arcs of this
+/// radius then fill these corners, so the pass surrounds slightly more than the goal requires.
 template <typename Scalar>
 Result<ContourView<Scalar>, contour::OffsetError> Clearing<Scalar>::pass_around(
     const ContourView<Scalar>& goal) const {
@@ -148,8 +148,8 @@ std::optional<ClearingError> Clearing<Scalar>::add_goals(const AreaList<Scalar>&
   return {};
 }
 
-/// Appends the passes within the pass `pass`. Each of them is as far inside as its remaining part
-/// allows.
+/// Appends the passes directly inside `pass`. They surround the areas that `pass` leaves uncut,
+/// each as far inside as its area allows.
 template <typename Scalar>
 std::optional<ClearingError> Clearing<Scalar>::step_inwards(std::uint32_t pass) {
   AreaList<Scalar> left;
@@ -173,8 +173,9 @@ std::optional<ClearingError> Clearing<Scalar>::step_into(const ContourView<Scala
   return add_goals(goals, {passes_.note(pass).distance + base + inwards.value(), pass});
 }
 
-/// Appends the passes within the pass `pass`, all at the step-over from it. The step-over is less
-/// than the width that a pass clears. Each new pass surrounds a remaining area.
+/// Appends the passes directly inside `pass`, all at the step-over from it. The step-over is so
+/// small that these passes are outside the areas that `pass` leaves uncut. Each new pass surrounds
+/// such an area.
 template <typename Scalar>
 std::optional<ClearingError> Clearing<Scalar>::step_by_stepover(std::uint32_t pass) {
   AreaList<Scalar> goals;
@@ -193,7 +194,7 @@ std::optional<ClearingError> Clearing<Scalar>::step_by_stepover(std::uint32_t pa
   return add_goals(kept, {passes_.note(pass).distance + options_.stepover, pass});
 }
 
-/// Determines whether the pass outside a goal has already cleared the complete goal.
+/// Sets `nothing` to whether the pass outside a goal has already cleared the complete goal.
 template <typename Scalar>
 std::optional<ClearingError> Clearing<Scalar>::leaves_nothing(const ContourView<Scalar>& goal,
                                                               bool& nothing) const {

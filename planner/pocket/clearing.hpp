@@ -26,7 +26,7 @@ enum class ClearingFault : std::uint8_t {
   kOptionOutOfRange,  ///< An option is out of its range or not a number.
   kOffset,            ///< An offset failed: see `ClearingError::offset`.
   kTooManyLoops,      ///< The working storage for loops is full.
-  kLoopsCross,        ///< A hole is in no outline.
+  kLoopsCross,        ///< A hole is in no outline, because loops cross each other.
   kPassesTooLong,     ///< The storage of the passes is full.
 };
 
@@ -38,13 +38,14 @@ struct ClearingError {
 /// Computes the passes that clear a pocket of lines and arcs. They are the dynamic offset of paper
 /// 5, made exact for every corner, for arcs, concave walls, necks and islands.
 ///
-/// The first pass is the offset of the wall by R, sharp at convex corners of the pocket. A pass at
-/// the distance D from the wall leaves the area at D + R. Each connected part of this area has a
-/// separate next pass. This pass is at the greatest distance D' at which no point of the part is
-/// farther than R + r from the area at D' + r. The pass is the boundary of the area at D' + r,
-/// grown by r and closed so that all its corners become arcs of radius r. A tool along the pass
-/// clears the part down to D' + R. Between straight walls with the smallest angle θ the step is R −
-/// r + (R + r) sin(θ / 2); with r = 0 this is equation 10 of paper 5.
+/// The first pass is the offset of the wall by R, sharp at convex corners of the pocket. Let A(d)
+/// be the part of the pocket that is farther than d from the wall. A pass at the distance D from
+/// the wall leaves A(D + R) uncut. Each connected part of A(D + R) has a separate next pass. This
+/// pass is at the greatest distance D' at which no point of the part is farther than R + r from
+/// A(D' + r). The pass is the boundary of A(D' + r), grown by r and closed so that all its corners
+/// become arcs of radius r. A tool along the pass clears the part down to D' + R. Between straight
+/// walls with the smallest angle θ the step is R − r + (R + r) sin(θ / 2); with r = 0 this is
+/// equation 10 of paper 5.
 ///
 /// Guarantee: every point within R of the centre locus of the tool is within R + 2e-7 mm of a pass.
 /// Each pass is in the area that its parent encloses. No pass is nearer to the wall than R by more

@@ -9,8 +9,8 @@
 
 namespace cnc::pocket {
 
-/// Capacities that the passes of a pocket require. `elements` and `cuts` are the capacities for the
-/// offset of the pocket. `loops` is the greatest number of loops of one offset.
+/// Capacities that the passes of a pocket require. `elements` and `cuts` are those of OffsetSizes
+/// for the offset of the pocket. `loops` is the greatest number of loops of one offset.
 struct ClearingSizes {
   std::size_t elements;
   std::size_t cuts;
@@ -19,8 +19,8 @@ struct ClearingSizes {
   [[nodiscard]] constexpr contour::OffsetSizes offset() const { return {elements, cuts}; }
 };
 
-/// Storage for loops that are computed temporarily. Sizes by ClearingSizes: `elements` for the
-/// vertices, `loops` for the loop ends.
+/// Storage for loops that are computed temporarily: `elements` vertices and `loops` loop ends (see
+/// ClearingSizes).
 template <typename Scalar>
 struct LoopSpace {
   contour::Slice<contour::Vertex<Scalar>> vertices;
@@ -29,7 +29,8 @@ struct LoopSpace {
   [[nodiscard]] contour::ContourWriter<Scalar> writer() const { return {vertices, loop_ends}; }
 };
 
-/// Storage of an AreaList. The comment of each span gives its size by ClearingSizes.
+/// Storage of an AreaList. The comment of each span names the member of ClearingSizes that gives
+/// its size.
 template <typename Scalar>
 struct AreaSpace {
   contour::Slice<contour::Vertex<Scalar>> vertices;  ///< elements
@@ -45,8 +46,8 @@ struct ClearingSpace {
   contour::OffsetSpace<Scalar> offset;
   LoopSpace<Scalar> loops;  ///< Result of the last offset, which is split into areas.
   LoopSpace<Scalar> inner;  ///< The goal of a trial: the area moved inwards.
-  /// The area that the tool clears from the goal. While a pass is computed: the goal grown by twice
-  /// the corner radius.
+  /// The area that a tool along the boundary of the goal clears. While a pass is computed: the goal
+  /// grown by twice the corner radius.
   LoopSpace<Scalar> grown;
   AreaSpace<Scalar> left;                  ///< Areas that a pass leaves uncut.
   AreaSpace<Scalar> goals;                 ///< Areas that the next pass surrounds.

@@ -12,8 +12,8 @@ namespace {
 constexpr double kHalfTurn = std::numbers::pi;
 constexpr double kQuarterTurn = 0.5 * kHalfTurn;
 
-/// Returns the size of the part of the range `middle` ± `half_width` that is within a quarter turn
-/// of 0, radians.
+/// Returns the angle, radians, by which the range `middle` ± `half_width` overlaps the range of a
+/// quarter turn on both sides of 0.
 double part_ahead(double middle, double half_width) {
   double part = 0.0;
   for (const double turn : {-2.0 * kHalfTurn, 0.0, 2.0 * kHalfTurn}) {
@@ -34,7 +34,7 @@ struct CirclePair {
   WideVec2 ahead{1.0, 0.0};
   /// Distance from the first centre to the chord between the two intersections.
   double along = 0.0;
-  double aside = 0.0;  ///< Half of the length of this chord.
+  double aside = 0.0;  ///< Half of the length of the chord between the two intersections.
   /// Half of the sweep of the second circle's part outside the first circle, 0 to half a turn.
   double half_sweep = 0.0;
 };
@@ -84,7 +84,7 @@ Crescent crescent_between(const ToolCircle& cleared, const ToolCircle& next) {
 double crescent_engagement(const ToolCircle& cleared,
                            const ToolCircle& next,
                            double tool_radius_mm) {
-  constexpr int kSamples = 64;  // Number of samples on each side of the middle.
+  constexpr int kSamples = 64;  // Number of samples on each side of the crescent's middle.
   const ClearedDisc disc{cleared.centre, cleared.radius + tool_radius_mm};
   const CirclePair pair = pair_of(cleared, next);
   double greatest = 0.0;

@@ -10,9 +10,9 @@ struct ClearedDisc {
   double radius = 0.0;  ///< mm.
 };
 
-/// Returns the engagement of a tool, in radians, 0 to π: the angle of the part of its leading half
-/// that is outside a cleared disc. This part of the circumference cuts if there is stock everywhere
-/// outside the disc.
+/// Returns the engagement of a tool, in radians, 0 to π: the angle of the part of the leading half
+/// of the tool's circumference that is outside a cleared disc. This part cuts if there is stock
+/// everywhere outside the disc.
 /// @param direction  unit vector of the tool's motion
 /// @pre tool_radius_mm > 0
 [[nodiscard]] double engagement(const ClearedDisc& cleared,
@@ -23,12 +23,13 @@ struct ClearedDisc {
 /// A circle along which the centre of a tool moves.
 struct ToolCircle {
   WideVec2 centre{0.0, 0.0};
-  double radius = 0.0;  ///< Radius in mm. The cleared disc is larger by the tool's radius.
+  /// Radius of this circle, mm. The disc that the tool clears is larger by the tool's radius.
+  double radius = 0.0;
 };
 
-/// The part of a tool circle on which the tool cuts. The tool has already cleared a disc around one
-/// circle. The disc around the next circle extends beyond the cleared disc by a crescent. The arc
-/// turns left.
+/// The part of a tool circle along which the tool cuts. The tool has followed one circle and
+/// cleared a disc around its centre. The disc of the next circle extends beyond the cleared disc by
+/// a crescent. The arc turns left.
 struct Crescent {
   WideVec2 begin{0.0, 0.0};   ///< First intersection of the two circles.
   WideVec2 middle{0.0, 0.0};  ///< Point farthest from the cleared circle.

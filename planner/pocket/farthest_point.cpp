@@ -18,8 +18,8 @@ template <typename Scalar>
 Scalar FarthestPoint<Scalar>::of(const contour::ContourView<Scalar>& area) {
   farthest_ = Scalar{0};
   for (std::size_t loop = 0; loop < area.loop_ends.size(); ++loop) {
-    // Both contours run in the same direction, so the nearest curve of the next element comes soon
-    // after `near`.
+    // The boundaries of the area and of the goal run in the same direction. The curve nearest to
+    // the next element therefore comes soon after `near`.
     std::uint32_t near = 0;
     for (std::uint32_t i = area.loop_begin(loop); i < area.loop_ends[loop]; ++i) {
       contour::Curve<Scalar> wall;
@@ -37,8 +37,9 @@ Scalar FarthestPoint<Scalar>::of(const contour::ContourView<Scalar>& area) {
   return farthest_;
 }
 
-/// Returns whether a complete element, moved, is part of one of the next curves, and sets `near` to
-/// this curve. A round join of a corner may be between the curves.
+/// Returns whether the complete element `wall`, moved inwards by `moved_`, is part of a curve of
+/// the goal. If so, sets `near` to this curve. Checks a few curves from `near` on, because the
+/// round join of a corner may precede the moved element.
 template <typename Scalar>
 bool FarthestPoint<Scalar>::find_moved(const contour::Curve<Scalar>& wall,
                                        std::uint32_t& near) const {
@@ -55,7 +56,7 @@ bool FarthestPoint<Scalar>::find_moved(const contour::Curve<Scalar>& wall,
 template <typename Scalar>
 void FarthestPoint<Scalar>::search(const contour::Curve<Scalar>& wall, const Stretch& whole) {
   if (bound(wall, whole) <= farthest_ + Scalar{kFarthestError}) return;
-  // Greatest number of open stretches. A double cannot be halved more often.
+  // Greatest number of stretches that wait for a check. A double cannot be halved more often.
   constexpr std::size_t kMaxOpen = 64;
   std::array<Stretch, kMaxOpen> open;
   std::size_t count = 0;
@@ -102,7 +103,8 @@ Scalar FarthestPoint<Scalar>::bound_from(const contour::Curve<Scalar>& wall,
   return ends + Scalar{0.5} * chord * std::abs(wall.bulge_between(stretch.from, stretch.to));
 }
 
-/// Returns whether the stretch, after it was moved by `moved_`, is part of a curve of the goal.
+/// Returns whether the stretch, moved inwards by `moved_`, is part of curve number `curve` of the
+/// goal.
 template <typename Scalar>
 bool FarthestPoint<Scalar>::is_moved(const contour::Curve<Scalar>& wall,
                                      const Stretch& stretch,
@@ -113,8 +115,8 @@ bool FarthestPoint<Scalar>::is_moved(const contour::Curve<Scalar>& wall,
   const Vector last = stretch.to + moved_ * left_normal(wall.tangent_at(stretch.to));
   constexpr Scalar kSame{kFarthestError};
   const contour::Curve<Scalar>& other = goal_[curve];
-  // The heights of the two arcs over the chord differ by `bend` times an eighth of the square of
-  // the chord.
+  // The two arcs over the chord from `first` to `last` differ in height by `bend` times an eighth
+  // of the square of the chord.
   const Scalar bend = std::abs(other.curvature - wall.curvature / rest);
   if (bend * (last - first).squaredNorm() > Scalar{8} * kSame) return false;
   return other.distance(first) <= kSame && other.distance(last) <= kSame;

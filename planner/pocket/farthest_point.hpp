@@ -7,15 +7,15 @@ namespace cnc::pocket {
 /// Finds the greatest distance between the boundary of an area and an inward offset of the same
 /// area.
 ///
-/// Each element of the boundary is halved until no point of a part can be farther than the farthest
-/// point found. The bound of a part is exact. Along a line or an arc, the distance from one point
-/// is greatest at an end or at a maximum between the ends. The tangents of an arc show whether
-/// there is such a maximum. If an element's own offset is part of the boundary of the goal, the
-/// distance is that of the offset.
+/// Each element of the boundary is halved until an upper bound shows that no point of a part is
+/// farther from the goal than the farthest point found. Along a line or an arc, the distance from
+/// one point is greatest at an end or at a maximum between the ends. The tangents of an arc show
+/// whether there is such a maximum; then the bound includes the height of the arc. If the offset of
+/// a part is on the boundary of the goal, the distance of the part is that of the offset.
 ///
 /// Guarantee: the result is at most kFarthestError less than the greatest distance. Time: (n + m)
 /// log n for n elements of the goal and m halvings, a few for each corner.
-inline constexpr double kFarthestError = 1.0e-9;  // mm
+inline constexpr double kFarthestError = 1.0e-9;  // Greatest error of the result, mm.
 template <typename Scalar>
 class FarthestPoint {
  public:

@@ -12,20 +12,22 @@ namespace cnc::pocket {
 namespace {
 
 constexpr double kLongestLink = 12.0;  ///< Greatest length of a link, in tool radii.
-/// Greatest distance of a landing from the beginning of the link, in tool radii.
+/// Greatest distance between the beginning of a link and its landing on a loop, in tool radii.
 constexpr double kReachOfLandings = 6.0;
-constexpr double kLandingStep = 0.5;  ///< Distance between landings, in tool radii.
+/// Distance between neighbouring landings that are tried, in tool radii.
+constexpr double kLandingStep = 0.5;
 constexpr int kLandingsEachWay = 6;
 /// Greatest number of links that are tried for one arc radius. The shortest link is tried first.
 constexpr int kMaxTried = 16;
-/// Distance from its ends, mm, within which a link touches the loops that it joins.
+/// Distance from an end of a link, mm, within which contact with a loop does not count as a
+/// crossing.
 constexpr double kContact = 1.0e-4;
-constexpr double kTouch = 1.0e-9;  ///< mm.
+constexpr double kTouch = 1.0e-9;  ///< Length below which a line or an arc counts as a point, mm.
 /// Radii of the arcs that are tried, as shares of the tool's radius.
 constexpr std::array<double, 4> kArcShares{1.0, 0.5, 0.25, 0.1};
 
-/// Returns the bulge of an arc from a pose to a point of its circle. A bulge above 1 means more
-/// than half a turn.
+/// Returns the bulge of the arc that begins along the unit vector `tangent` and ends at the end of
+/// `chord`. A bulge above 1 means more than half a turn.
 template <typename Scalar>
 Scalar bulge_from(const BasicVec2<Scalar>& tangent, const BasicVec2<Scalar>& chord) {
   const Scalar size = chord.norm();
@@ -34,9 +36,9 @@ Scalar bulge_from(const BasicVec2<Scalar>& tangent, const BasicVec2<Scalar>& cho
   return along > Scalar{0} ? cross(tangent, chord) / along : Scalar{2};
 }
 
-/// Makes a link of circle, line and circle: the path of Dubins that turns to the sides `first` and
-/// `last`, +1 for left. Returns false if the circles overlap too far, or if an arc is more than
-/// half a turn.
+/// Makes a link of an arc, a line and an arc, which is a path of Dubins. The arcs turn to the sides
+/// `first` and `last`: +1 is left, −1 is right. Returns false if the circles of the arcs overlap
+/// too far for a common tangent, or if an arc is more than half a turn.
 template <typename Scalar>
 bool make_link(const Pose<Scalar>& from,
                const Pose<Scalar>& to,
@@ -69,8 +71,8 @@ bool make_link(const Pose<Scalar>& from,
   return true;
 }
 
-/// Returns the point of a curve's complete circle that is `mm` after `place`, or before it if `mm`
-/// is negative.
+/// Returns the point that is `mm` after `place` along the complete circle or line of a curve. If
+/// `mm` is negative, the point is before `place`.
 template <typename Scalar>
 BasicVec2<Scalar> point_along(const contour::Curve<Scalar>& curve,
                               const BasicVec2<Scalar>& place,

@@ -8,8 +8,9 @@
 
 namespace cnc::pocket {
 
-/// An arc, a line and an arc from a pose to a point on a loop. Their tangents agree at every joint.
-/// Each arc turns by at most half a turn. Each of the three parts may have no length.
+/// A path from a pose to a point on a loop: an arc, a line and an arc. Their tangents agree at
+/// every joint. Each arc turns by at most half a turn. Each of the three parts may have the length
+/// 0.
 template <typename Scalar>
 struct Link {
   std::array<BasicVec2<Scalar>, 4> points{};
@@ -37,11 +38,11 @@ class LinkSearch {
 
   /// Returns a link to one of the loops; nothing if there is no link of up to 12 tool radii.
   ///
-  /// Landings are the middle of each element, and points half a radius apart on both sides of the
-  /// nearest point of the element, up to three radii away. The result is the shortest link that
-  /// stays in the area. Its arcs have the tool's radius, or the first of 1/2, 1/4 and 1/10 of this
-  /// radius with which there is a link. The last arc turns to the side of the area, so that the
-  /// tool arrives from inside.
+  /// A landing is the point of a loop where a link ends. The landings that are tried are the middle
+  /// of each element, and points half a tool radius apart on both sides of the nearest point of the
+  /// element, up to three radii away. The result is the shortest link that stays in the area. Its
+  /// arcs have the tool's radius, or the first of 1/2, 1/4 and 1/10 of this radius with which there
+  /// is a link. The last arc turns to the side of the area, so that the tool arrives from inside.
   ///
   /// Guarantee: no point of the link is outside the area by more than 1e-7 mm. Time: number of
   /// elements within six radii times the number of links that are tried, at most 64.

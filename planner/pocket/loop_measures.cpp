@@ -35,8 +35,8 @@ bool is_in_segment(const LoopElement<Scalar>& element, const BasicVec2<Scalar>& 
   const bool arc_is_beyond =
       b * chord.y() > Scalar{0} || (chord.y() == Scalar{0} && b * chord.x() < Scalar{0});
   if (side == Scalar{0} && !arc_is_beyond) return false;
-  // Evaluates the circle's equation. The tangent is the chord turned by half the sweep, times 1 +
-  // b².
+  // Evaluates the equation of the arc's circle. `tangent` is the chord turned by half the sweep,
+  // times 1 + b².
   const BasicVec2<Scalar> tangent =
       (Scalar{1} - b * b) * chord - Scalar{2} * b * left_normal(chord);
   return b * (Scalar{2} * b * seen.squaredNorm() - cross(tangent, seen)) < Scalar{0};
@@ -59,8 +59,8 @@ Scalar signed_area(const contour::ContourView<Scalar>& contour, std::size_t loop
   return sum;
 }
 
-// Counts the turns of the polygon of all chords. Each segment between an arc and its chord that
-// contains the point counts as one turn more.
+// Counts the turns of the polygon of all chords around the point. A segment between an arc and its
+// chord that contains the point adds the arc's turn: +1 to the left, −1 to the right.
 template <typename Scalar>
 int turns_around(const contour::ContourView<Scalar>& contour,
                  std::size_t loop,

@@ -20,8 +20,7 @@ struct LoopElement {
   }
 };
 
-/// Returns the element that begins at vertex `index` of a loop.
-/// @pre the vertex is one of the loop
+/// Returns the element that begins at vertex `index` of a loop. @pre the vertex belongs to the loop
 template <typename Scalar>
 [[nodiscard]] LoopElement<Scalar> element_at(const contour::ContourView<Scalar>& contour,
                                              std::size_t loop,

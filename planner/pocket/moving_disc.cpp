@@ -29,8 +29,8 @@ DiscWay way_of(const MovingDisc& disc) {
   return {disc.from, chord / length, length, disc.from_radius, growth};
 }
 
-/// Returns the travelled length at which the disc extends farthest beyond a point, or at which it
-/// is nearest to that point.
+/// Returns the travelled length at which the disc extends farthest beyond a point. If the disc
+/// never reaches the point, this is the length at which the disc is nearest to it.
 double max_across(const DiscWay& way, const WideVec2& point) {
   const WideVec2 ahead = point - way.from;
   const double foot = way.along.dot(ahead);
@@ -41,7 +41,7 @@ double max_across(const DiscWay& way, const WideVec2& point) {
 }
 
 /// Returns the length by which the disc extends across one element after it has travelled the
-/// length `s`, mm; negative if it does not.
+/// length `s`, mm; negative if the disc does not reach the element.
 double excess_at(const DiscWay& way, double s, const Curve<double>& element) {
   return way.radius_at(s) - element.distance(way.at(s));
 }
@@ -53,8 +53,9 @@ double excess_across(const DiscWay& way, const Curve<double>& element) {
   for (const WideVec2& end : {element.start, element.end}) {
     excess = std::max(excess, excess_at(way, max_across(way, end), element));
   }
-  // From outside the arc's circle, the distance from the arc is the distance from its centre minus
-  // a constant. From inside, and for a line, there are no further minima.
+  // For places outside the circle of an arc, the distance from the arc is the distance from the
+  // centre minus the radius, which may have a minimum. Places inside the circle, and lines, add no
+  // further minima.
   if (element.curvature != 0.0) {
     const WideVec2 centre = element.start + left_normal(element.start_tangent) / element.curvature;
     excess = std::max(excess, excess_at(way, max_across(way, centre), element));

@@ -9,17 +9,15 @@ namespace cnc::pocket {
 struct MovingDisc {
   WideVec2 from{0.0, 0.0};
   WideVec2 to{0.0, 0.0};
-  double from_radius = 0.0;  ///< mm.
+  double from_radius = 0.0;  ///< Radius at the start, mm.
   /// Radius at the end, mm. It differs from `from_radius` by less than the length of the line.
   double to_radius = 0.0;
 };
 
 /// Returns the greatest length by which the moving disc extends across the boundary, mm; 0 if it
-/// stays in the area. The result is exact except for rounding. The least value of "distance from an
-/// element minus radius" is at an end of the line or at a minimum between the ends. Only the
-/// distance from a point, an element's end or centre, has such a minimum. It has a closed form.
-///
-///
+/// stays in the area. The result is exact except for rounding. The distance from an element minus
+/// the radius is least at an end of the line or at a minimum between the ends. Only the distance
+/// from an element's end or from an arc's centre has such a minimum, and a closed form gives it.
 ///
 /// @pre the line does not leave the area
 [[nodiscard]] double excess_of(const MovingDisc& disc, const AreaDistance& area);

@@ -34,7 +34,7 @@ class NearestCurve {
   }
 
   /// Returns the point nearest to `place`. Time: log n.
-  /// @param guess  index of a curve that is perhaps near to `place`, which saves time
+  /// @param guess  index of a curve that is probably near to `place`; a good guess saves time
   /// @pre guess < size()
   [[nodiscard]] NearestPoint<Scalar> nearest_to(const BasicVec2<Scalar>& place,
                                                 std::uint32_t guess = 0) const;

@@ -13,7 +13,7 @@ namespace {
 
 using contour::Curve;
 
-/// Sine of a turn below which elements join with one tangent.
+/// Sine of the turn between two elements below which they count as joined with one tangent.
 constexpr double kOneTangent = 1.0e-9;
 
 /// The loops of paper 5 inside one wall.
@@ -27,8 +27,8 @@ class PaperLoops {
 
   [[nodiscard]] std::uint32_t count() const { return count_; }
 
-  /// Returns element `index` after it was moved inwards; nothing if the distance uses up its
-  /// radius.
+  /// Returns element `index` moved inwards; nothing if it is an arc whose radius is not greater
+  /// than the distance.
   [[nodiscard]] std::optional<Curve<Scalar>> moved(std::uint32_t index, Scalar distance) const {
     const Curve<Scalar>& element = elements_[index];
     const Scalar inwards = -distance * stretch(element);
@@ -37,8 +37,8 @@ class PaperLoops {
   }
 
   /// Returns the intersection of element `before` at one distance with the next element at another
-  /// distance. Of two intersections it returns the point at which the next element turns to the
-  /// same side as at the wall.
+  /// distance. If there are two intersections, returns the intersection at which the path turns to
+  /// the same side as at the wall.
   [[nodiscard]] std::optional<Vector> vertex(std::uint32_t before,
                                              Scalar distance,
                                              Scalar distance_of_next) const {
@@ -57,8 +57,8 @@ class PaperLoops {
     return {};
   }
 
-  /// Returns sin(θ / 2) of the smallest vertex angle of a loop, modulo 180°; 1 if there is no
-  /// vertex.
+  /// Returns sin(θ / 2), where θ is the smallest vertex angle of a loop, modulo 180°; 1 if there is
+  /// no vertex.
   /// @pre is_loop(distance)
   [[nodiscard]] Scalar sharpest(Scalar distance) const {
     Scalar least{1};
@@ -69,8 +69,8 @@ class PaperLoops {
       const Vector out = moved(next, distance)->tangent_at(place);
       const Scalar turn = cross(in, out);
       if (std::abs(turn) < Scalar{kOneTangent} && in.dot(out) > Scalar{0}) continue;
-      // Half of the vertex angle plus half of the turn is 90°. Beyond 180° the two halves are
-      // equal.
+      // Half of the vertex angle is 90° minus half of the turn. For a vertex angle beyond 180°,
+      // taken modulo 180°, it equals half of the turn.
       const Scalar sign = turn > Scalar{0} ? Scalar{1} : Scalar{-1};
       const Scalar square = Scalar{0.5} * (Scalar{1} + sign * in.dot(out));
       least = std::min(least, std::sqrt(std::max(Scalar{0}, square)));
@@ -88,14 +88,16 @@ class PaperLoops {
       const Curve<Scalar> element = *moved(i, distance);
       const Vector chord = *to - *from;
       const Vector along = element.tangent_at(*from) + element.tangent_at(*to);
-      // If an element is half a turn, both tangents are perpendicular to the chord.
+      // If an element is half a turn, both tangents are perpendicular to the chord, so the product
+      // is nearly 0.
       if (!(chord.dot(along) > -Scalar{kOneTangent} * chord.norm())) return false;
     }
     return true;
   }
 
  private:
-  /// Returns the factor by which the paper's program moves a line too far.
+  /// Returns the quotient of the distance by which the paper's program moves an element and the
+  /// correct distance; 1 if the program is right.
   [[nodiscard]] Scalar stretch(const Curve<Scalar>& element) const {
     const Vector& t = element.start_tangent;
     const bool slanted = element.curvature == Scalar{0} && t.x() != Scalar{0} && t.y() != Scalar{0};
@@ -135,7 +137,7 @@ Result<std::uint32_t, PaperFault> find_distances(const PaperLoops<Scalar>& loops
   for (Scalar distance = radius; loops.is_loop(distance);) {
     if (count == distances.size()) return PaperFault::kTooManyPasses;
     distances[count++] = distance;
-    distance += radius * (Scalar{1} + loops.sharpest(distance));  // Equation 10.
+    distance += radius * (Scalar{1} + loops.sharpest(distance));  // Equation 10 of paper 5.
   }
   if (count == 0) return PaperFault::kToolTooLarge;
   return count;

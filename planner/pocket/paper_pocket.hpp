@@ -39,18 +39,18 @@ struct PaperSpace {
 /// Writes the path of paper 5 as printed: Oh and Kwon 2003, sections 2.3 to 3.2.
 ///
 /// The first loop is R from the wall. Each next loop is R (1 + sin(θ / 2)) farther inside, where θ
-/// is the smallest vertex angle of the previous loop. As in equations 4 to 10, the angle is that of
-/// the tangents, modulo 180°. Elements that join with one tangent have no vertex. Equation 8, for
-/// two arcs, is missing in the paper; here it is derived like the other equations. Each vertex is
-/// the intersection of two elements that were moved separately. The series of loops ends before the
-/// first loop in which an element would be reversed. The path is a spiral from the innermost loop
-/// outwards: it follows the last element of a loop up to its intersection with the first element of
-/// the next loop.
+/// is the smallest vertex angle of the previous loop. As in equations 4 to 10, θ is the angle
+/// between the tangents, modulo 180°. Elements that join with one tangent have no vertex. Equation
+/// 8, for two arcs, is missing in the paper; here it is derived like the other equations. Each
+/// vertex is the intersection of two elements that were moved separately. The series of loops ends
+/// before the first loop in which an element would be reversed. The path is a spiral from the
+/// innermost loop outwards: it follows the last element of a loop up to its intersection with the
+/// first element of the next loop.
 ///
 /// The path is meant for convex vertices and a single wall. Where arcs or short elements make the
-/// formula too large, it leaves stock; the passes of clear_pocket() do not. `space.distances`
-/// receives the distances of the loops from the wall, mm, from the wall inwards. The path is one
-/// row of `out`.
+/// step of the formula too large, the path leaves stock; the passes of clear_pocket() leave none.
+/// `space.distances` receives the distances of the loops from the wall, mm, from the wall inwards.
+/// The path is one row of `out`.
 /// @return the number of loops
 template <typename Scalar>
 [[nodiscard]] Result<std::uint32_t, PaperFault> write_paper_path(

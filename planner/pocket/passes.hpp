@@ -12,7 +12,7 @@ namespace cnc::pocket {
 template <typename Scalar>
 struct PassNote {
   Scalar distance{};  ///< Distance of the pass from the wall before its corners were rounded, mm.
-  /// Index of the pass around it; kNone for a pass at the wall.
+  /// Index of the pass around this pass; kNone for a pass at the wall.
   std::uint32_t parent = contour::kNone;
 };
 

@@ -23,8 +23,8 @@ BasicVec2<Scalar> helix_centre(const Pose<Scalar>& pose, Scalar radius, Milling 
   return pose.point + side_of_area<Scalar>(milling) * radius * left_normal(pose.tangent);
 }
 
-/// Returns the greatest radius above `least` whose circle fits at a pose; 0 if there is no such
-/// radius.
+/// Returns the greatest radius above `least` whose circle fits at a pose, among `greatest` and its
+/// repeated halves; 0 if none fits.
 template <typename Scalar>
 Scalar fitting_radius(const contour::ContourView<Scalar>& locus,
                       const NearestCurve<Scalar>& boundary,
@@ -32,7 +32,7 @@ Scalar fitting_radius(const contour::ContourView<Scalar>& locus,
                       Milling milling,
                       Scalar greatest,
                       Scalar least) {
-  // The pose may be on the boundary. Then the circle touches the boundary from inside.
+  // Tolerance in mm: if the pose is on the boundary, the circle touches the boundary from inside.
   constexpr Scalar kTouching{1.0e-9};
   Scalar radius = greatest;
   for (int i = 0; i <= kHalvings && radius > least; ++i) {
@@ -117,7 +117,8 @@ EntryPlan<Scalar> plan_entry(const contour::ContourView<Scalar>& locus,
     const Scalar radius =
         fitting_radius(locus, boundary, pose, milling, greatest, plan.helix_radius);
     const Scalar chord = (element.end - element.start).norm();
-    // Without a helix, the middle of the longest element has the most space for links.
+    // If no circle fits, the middle of the longest element is chosen, because it has the most space
+    // for links.
     if (radius <= plan.helix_radius && (plan.helix_radius > Scalar{0} || chord <= longest)) {
       continue;
     }

@@ -88,7 +88,8 @@ std::optional<PocketFault> PathMaker<Scalar>::run_level(Scalar z_above, Scalar z
   z_above_ = z_above;
   z_ = z;
   reset();
-  // Index of the pass around the last pass if it is ready; otherwise kNone.
+  // Index of the pass around the pass that was driven last, if all passes within it are driven;
+  // otherwise kNone.
   std::uint32_t next = kNone;
   for (std::size_t driven = 0; driven < passes_.size(); ++driven) {
     if (next == kNone) {
@@ -104,8 +105,8 @@ std::optional<PocketFault> PathMaker<Scalar>::run_level(Scalar z_above, Scalar z
   return end_row();
 }
 
-/// Returns the pass whose first vertex is nearest to the tool, among the passes that wait for no
-/// other pass.
+/// Returns the pass whose first vertex is nearest to the tool, among the passes that are not driven
+/// yet and wait for no other pass.
 template <typename Scalar>
 std::uint32_t PathMaker<Scalar>::nearest_ready_pass() const {
   std::uint32_t best = kNone;
@@ -197,7 +198,7 @@ template <typename Scalar>
 std::optional<PocketFault> PathMaker<Scalar>::follow(const Link<Scalar>& link) {
   for (std::size_t i = 0; i < 3; ++i) {
     const Vector& from = link.points[i];
-    // Length below which an element is a rounding error.
+    // Length in mm below which an element counts as a rounding error.
     constexpr Scalar kShortest{1.0e-9};
     if ((link.points[i + 1] - from).norm() < kShortest) continue;
     if (!out_.add({from.x(), from.y(), z_, link.bulges[i], Use::kPass})) {

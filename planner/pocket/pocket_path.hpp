@@ -27,7 +27,8 @@ struct PassState {
   bool is_driven = false;
 };
 
-/// Working storage of a path. Its content does not outlive the call.
+/// Working storage of a path. Its content does not outlive the call. `elements` is that of
+/// ClearingSizes.
 template <typename Scalar>
 struct PocketPathSpace {
   ClearingSpace<Scalar> clearing;

@@ -13,14 +13,16 @@ using contour::ContourView;
 using contour::OffsetError;
 using contour::OffsetFault;
 
-/// Share of the reach from which on a trial counts as good enough.
+/// Share of the reach from which on the distance of a trial is great enough to end the search.
 constexpr double kNearlyAll = 0.998;
-/// Least gap between trials that is still searched, as a share of the reach.
+/// The search ends if the y of two trials differs by at most this share of the reach.
 constexpr double kGap = 0.02;
-/// Least y of the first trial, as a share of the reach. Sharper corners may be only rounding.
+/// Least y of the first trial, as a share of the reach. Corners that would give a smaller y may be
+/// only rounding.
 constexpr double kFirstShare = 0.25;
 constexpr int kMaxTrials = 10;
-/// Greatest distance from the boundary, mm, at which a hole is a rounding error of the offset.
+/// Greatest depth of a hole below the boundary, mm, at which the hole counts as a rounding error of
+/// the offset.
 constexpr double kShallowHole = 2.0e-7;
 
 /// Returns the sine of half of the smallest corner angle; 1 if there is no corner.
@@ -29,7 +31,8 @@ Scalar sharpest_sine(const ContourView<Scalar>& area) {
   Scalar least{1};
   for_each_corner(area, [&least](const auto& before, const auto& after) {
     if (cross(before.end_tangent, after.start_tangent) <= Scalar{0}) return;
-    // Half of the angle plus half of the turn is 90°.
+    // Half of the angle plus half of the turn is 90°, so the sine of the one is the cosine of the
+    // other.
     const Scalar cosine = before.end_tangent.dot(after.start_tangent);
     least = std::min(least, std::sqrt(std::max(Scalar{0}, Scalar{0.5} * (cosine + Scalar{1}))));
   });
@@ -76,8 +79,8 @@ NearestPoint<Scalar> deepest_vertex(const NearestCurve<Scalar>& boundary,
   return deepest;
 }
 
-/// Returns whether a point is in an area: it is on the left of the nearest element. If an end of
-/// the element is nearest, the turns of all loops decide.
+/// Returns whether a point is in an area. The side of the nearest element decides. If an end of the
+/// element is nearest, the number of turns of all loops around the point decides.
 template <typename Scalar>
 bool lies_inside(const ContourView<Scalar>& area,
                  const NearestCurve<Scalar>& boundary,
@@ -104,8 +107,8 @@ Result<Scalar, OffsetError> StepSearch<Scalar>::find(const Area& area,
     if (reaches(trial.value())) {
       low = trial.value();
       if (low.y == limit || low.farthest >= Scalar{kNearlyAll} * reach_) return y;
-      // No part of the area is as wide as the trial with the empty goal, so this pass is the last
-      // pass in this area.
+      // The trial at `high.y` left no goal, so no point of the area is deeper than `high.y`. A pass
+      // that clears down to `high.y` is the last pass in this area.
       if (high.empty && low.y + cleared_inwards >= high.y) return y;
     } else {
       high = trial.value();
@@ -118,8 +121,8 @@ Result<Scalar, OffsetError> StepSearch<Scalar>::find(const Area& area,
   return kept.ok() ? Result<Scalar, OffsetError>{low.y} : kept.error();
 }
 
-/// Returns the y of the next trial between two trials. At this y the distance would equal the reach
-/// if it grew linearly.
+/// Returns the y of the next trial, between two trials. At this y the farthest distance would equal
+/// the reach if it grew linearly with y.
 template <typename Scalar>
 Scalar StepSearch<Scalar>::next(const Trial& low, const Trial& high, bool bounded) const {
   constexpr Scalar kMargin{0.1};

@@ -16,10 +16,11 @@ namespace cnc::pocket {
 /// necks affect y.
 ///
 /// Guarantee: no point of the area is more than `kReachSlack` beyond the reach. FarthestPoint
-/// checks this for the boundary. For the inside, an offset outwards checks it: the holes of this
-/// offset must not be in the area. y is less than the greatest possible value by at most 2 % of the
-/// reach, or the pass finishes the area. y is at least 0, which always satisfies the reach.
-inline constexpr double kReachSlack = 1.0e-8;  // mm
+/// checks this for the boundary. For inner points, the goal is offset outwards by `reach`: the
+/// holes of this offset must not be in the area. y is less than the greatest possible value by at
+/// most 2 % of the reach, or the pass finishes the area. y is at least 0, which always satisfies
+/// the reach.
+inline constexpr double kReachSlack = 1.0e-8;  // Greatest distance beyond the reach, mm.
 template <typename Scalar>
 class StepSearch {
  public:

@@ -30,7 +30,7 @@ constexpr Word can_identifier(std::uint32_t id, bool extended, bool remote) {
          (remote ? bxcan::kRemote : 0);
 }
 
-/// Returns the second word of a filter bank.
+/// Returns the second word of a filter bank: the mask, or the second identifier.
 constexpr Word second_word(const CanFilter& filter) {
   const bool list = filter.kind == CanFilter::Kind::kList;
   // A mask always distinguishes frames of 11 bits from frames of 29 bits.

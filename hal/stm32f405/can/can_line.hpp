@@ -43,7 +43,7 @@ class CanLine final : public CanPort {
   [[nodiscard]] bool set_up(const Clocks& clocks, std::span<const CanFilter> filters) noexcept {
     if (clocks.source != ClockSource::kCrystal || filters.size() > bxcan::kBanks) return false;
     set<Bus>(rcc::kApb1Enr, bxcan::kClock);
-    // Gives the clock the two cycles that it needs (ES0182, 2.2.13).
+    // This read gives the clock the two cycles that it needs (ES0182, 2.2.13).
     static_cast<void>(Bus::read(rcc::kApb1Enr));
     PinSetUp<Bus>::hand_over(kPins.receive, kFunction, true);
     PinSetUp<Bus>::hand_over(kPins.transmit, kFunction, false);

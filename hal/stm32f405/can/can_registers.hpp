@@ -34,7 +34,8 @@ inline constexpr Address kFiltersOn = kBase + 0x21C;
 constexpr Address filter(unsigned bank) { return kBase + 0x240 + 8 * bank; }
 inline constexpr unsigned kMailboxes = 3;
 inline constexpr unsigned kFifos = 2;
-inline constexpr unsigned kBanks = 14;  ///< The other 14 filter banks belong to CAN2.
+/// Number of filter banks of CAN1; the other 14 banks belong to CAN2.
+inline constexpr unsigned kBanks = 14;
 
 // Bits of kControl. The same bits of kStatus acknowledge the first two.
 inline constexpr Word kInitialise = bit(0);
@@ -54,8 +55,8 @@ inline constexpr Word kPending = 3;
 inline constexpr Word kOverrun = bit(4);
 inline constexpr Word kRelease = bit(5);
 // Bits of kInterrupts.
-inline constexpr Word kAllInterrupts =
-    bit(0) | bit(1) | bit(4) | bit(10) | bit(15);  ///< Empty mailbox, two FIFOs, bus-off, errors.
+/// Interrupts of an empty mailbox, of frames in both FIFOs, of bus-off and of errors.
+inline constexpr Word kAllInterrupts = bit(0) | bit(1) | bit(4) | bit(10) | bit(15);
 // Bits of kErrors.
 inline constexpr Word kWarning = bit(0);
 inline constexpr Word kPassive = bit(1);
@@ -63,7 +64,7 @@ inline constexpr Word kBusOff = bit(2);
 // Bits of kTiming.
 inline constexpr Word kLoopBack = bit(30);
 inline constexpr Word kSilent = bit(31);
-// Bits of the identifier in frames and filters.
+// Bits of the identifier word of frames and filters.
 inline constexpr Word kGo = bit(0);
 inline constexpr Word kRemote = bit(1);
 inline constexpr Word kExtended = bit(2);

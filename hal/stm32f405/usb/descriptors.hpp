@@ -71,8 +71,8 @@ inline constexpr auto kConfigurationDescriptor =
              kInterfaces,
              kOnlyConfiguration,
              0,
-             0xC0,  // The board has its own supply
-             50,    // and takes at most 100 mA from USB.
+             0xC0,  // The board has its own supply.
+             50,    // It takes at most 100 mA from USB.
              // Interface 0: an abstract control model without commands.
              9,
              DescriptorType::kInterface,

@@ -23,14 +23,14 @@ enum class Effect : std::uint8_t {
 struct Answer {
   enum class Kind : std::uint8_t { kStall, kDone, kSend, kReceive };
 
-  Kind kind = Kind::kStall;  ///< Unknown requests are stalled.
+  Kind kind = Kind::kStall;  ///< Initially the answer to an unknown request: a stall.
   Effect effect = Effect::kNone;
-  std::uint8_t endpoint = 0;          ///< Number; bit 7 is set for an IN endpoint.
+  std::uint8_t endpoint = 0;          ///< Number of the endpoint; bit 7 is set for an IN endpoint.
   std::span<const std::byte> data{};  ///< Data to send, at most the requested number of bytes.
 };
 
-/// Computes a serial line's answer to each request, without access to registers. Used in one
-/// context at a time.
+/// Computes the answers of a USB serial line to the requests of the host, without access to
+/// registers. Used in one context at a time.
 class Device {
  public:
   static constexpr std::size_t kLineCodingBytes = 7;
@@ -160,7 +160,9 @@ class Device {
       case DescriptorType::kString:
         return string(static_cast<StringIndex>(index));
       default:
-        return {};  // An example is the device qualifier, which only high-speed devices have.
+        // The device has no other descriptors, for example no device qualifier, which only
+        // high-speed devices have.
+        return {};
     }
   }
 

@@ -27,7 +27,7 @@ class OtgCore {
   /// as a suspended bus.
   [[nodiscard]] static bool set_up() noexcept {
     set<Bus>(rcc::kAhb2Enr, otg::kClock);
-    // Gives the clock the two cycles that it needs (ES0182, 2.2.13).
+    // This read gives the clock the two cycles that it needs (ES0182, 2.2.13).
     static_cast<void>(Bus::read(rcc::kAhb2Enr));
     if (!wait_for<Bus>(otg::kResets, otg::kBusIdle, otg::kBusIdle, kLooks)) return false;
     Bus::write(otg::kUsbConfig, otg::kPhysical);
@@ -155,7 +155,7 @@ class OtgCore {
   }
 
  private:
-  // One read takes at least 4 clocks of 168 MHz.
+  // Greatest number of reads in a wait. One read takes at least 4 clocks of 168 MHz.
   static constexpr std::uint32_t kLooks = 20'000;
   /// Number of reads in 25 ms (RM0090, 34.16.1).
   static constexpr std::uint32_t kModeLooks = 1'100'000;

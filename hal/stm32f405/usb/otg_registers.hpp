@@ -19,10 +19,11 @@ inline constexpr Address kResets = kBase + 0x010;
 inline constexpr Address kStatus = kBase + 0x014;
 inline constexpr Address kMask = kBase + 0x018;
 inline constexpr Address kReceivedPop = kBase + 0x020;
-inline constexpr Address kReceiveSize = kBase + 0x024;  ///< Size in words, like all FIFO sizes.
+/// Register with the size of the receive FIFO, in words, like all FIFO sizes.
+inline constexpr Address kReceiveSize = kBase + 0x024;
 inline constexpr Address kGeneral = kBase + 0x038;
-/// Returns the register with the FIFO of an IN endpoint: its start in the lower half, its size in
-/// the upper half.
+/// Returns the address of the register that places the FIFO of an IN endpoint: start in the lower
+/// half, size in the upper half.
 constexpr Address transmit_size(unsigned endpoint) {
   return kBase + (endpoint == 0 ? 0x028 : 0x100 + 4 * endpoint);
 }
@@ -32,7 +33,9 @@ inline constexpr Address kDeviceConfig = kBase + 0x800;
 inline constexpr Address kDeviceControl = kBase + 0x804;
 inline constexpr Address kInMask = kBase + 0x810;
 inline constexpr Address kOutMask = kBase + 0x814;
-inline constexpr Address kEndpoints = kBase + 0x818;  ///< OUT endpoints have the bits from 16 on.
+/// Register of the endpoints' interrupts: bits from 0 on for IN endpoints, from 16 on for OUT
+/// endpoints.
+inline constexpr Address kEndpoints = kBase + 0x818;
 inline constexpr Address kEndpointsMask = kBase + 0x81C;
 constexpr Address in_control(unsigned endpoint) { return kBase + 0x900 + 0x20 * endpoint; }
 constexpr Address in_status(unsigned endpoint) { return kBase + 0x908 + 0x20 * endpoint; }
@@ -50,7 +53,8 @@ inline constexpr unsigned kFifoWords = 320;
 inline constexpr Word kInterruptOn = bit(0);
 // Bits of kUsbConfig.
 inline constexpr Word kPhysical = bit(6);
-inline constexpr Word kTurnaround = 6 << 10;  ///< For a bus clock of 32 MHz or more, table 202.
+/// Turnaround time for a bus clock of 32 MHz or more, table 202.
+inline constexpr Word kTurnaround = 6 << 10;
 inline constexpr Word kForceDevice = bit(30);
 // Bits of kResets.
 inline constexpr Word kCoreReset = bit(0);

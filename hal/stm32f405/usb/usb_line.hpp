@@ -103,12 +103,13 @@ class UsbLine final : public SessionStream {
   using Core = usb::OtgCore<Bus>;
   using Effect = usb::Effect;
   static constexpr unsigned kFunction = 10;
-  /// Bounds of the loops. If work is left over, the core raises the interrupt again.
+  /// Greatest numbers of rounds of the loops. If work is left over, the core raises the interrupt
+  /// again.
   static constexpr unsigned kMaxTurns = 8;
   static constexpr unsigned kMaxEntries = 16;
 
   void attend(Word status) noexcept {
-    // All other flags are cleared where they arise.
+    // All other flags are cleared by the code that handles their events.
     Bus::write(otg::kStatus,
                status & (otg::kBusReset | otg::kSpeedKnown | otg::kSuspended | otg::kWakeUp));
     // The order matters: a bus reset discards the packets that arrived before it, and a new request
@@ -259,15 +260,15 @@ class UsbLine final : public SessionStream {
   /// Position in `received_` of the first byte after the last change of session.
   std::atomic<std::uint32_t> begin_{0};
   std::atomic<bool> waits_for_room_{false};
-  std::atomic<bool> sending_{false};  ///< The core has a packet to send.
+  std::atomic<bool> sending_{false};  ///< Whether the core has a packet to send.
   std::uint32_t read_session_ = 0;    ///< Session of the last read(); used in the main loop only.
 
   // Used in the interrupt only.
   std::uint32_t sessions_ = 0;
   bool suspended_ = false;
-  bool spoken_ = false;     ///< The host has sent bytes since the line was last closed.
-  bool listening_ = false;  ///< The core is allowed to receive a packet.
-  bool ends_full_ = false;  ///< The last sent packet was full.
+  bool spoken_ = false;     ///< Whether the host has sent bytes since the line was last closed.
+  bool listening_ = false;  ///< Whether the core is allowed to receive a packet.
+  bool ends_full_ = false;  ///< Whether the last sent packet was full.
 };
 
 }  // namespace hal::stm32f405
