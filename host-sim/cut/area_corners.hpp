@@ -14,9 +14,9 @@ struct AreaCorner {
   Place arriving{1.0, 0.0};
   Place leaving{1.0, 0.0};  ///< Unit direction in which the path leaves the corner.
 
-  /// Returns whether a straight leg between the corner and `other` may touch the area without
-  /// running into it. Returns false if `other` is outside of both sides of the corner by more than
-  /// about ten degrees.
+  /// Returns whether a straight leg between the corner and `other` may pass along the area. Returns
+  /// false if `other` is on the outer side of both sides of the polygon that meet at the corner, by
+  /// more than about ten degrees. The leg then runs into the corner instead of passing along it.
   [[nodiscard]] bool is_touched_from(const Place& other) const;
 };
 

@@ -15,7 +15,7 @@ namespace {
 constexpr std::size_t kMaxUsualSpots = 64;
 constexpr std::array kLeadShares{1.0, 0.5, 0.25, 0.125};
 
-/// A point of the loop, as the distance along the loop, with the length of its stroke.
+/// A point of the loop: its distance along the loop, and the length of its stroke.
 struct Spot {
   double way_mm = 0.0;
   double room_mm = 0.0;
@@ -81,7 +81,7 @@ std::vector<double> stroke_spots(const MeasuredRow& loop, std::size_t count) {
   return spots;
 }
 
-/// Reduces the points to `count`, taken evenly from the whole list.
+/// Reduces a longer list to `count` points that are evenly distributed over the list.
 void thin(std::vector<double>& spots, std::size_t count) {
   if (spots.size() <= count) return;
   std::vector<double> fewer;

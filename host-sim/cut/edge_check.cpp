@@ -116,7 +116,8 @@ class EdgeCheck::Sweep final : public TraceSink {
     nearest_ = strokes_.nearest(here, nearest_);
     const LayerPlan& layer = job_.plan.plan_of(job_.plan.cuts[nearest_.owner]);
     if (is_engraved(layer.settings.side)) {
-      // Nothing is cut through here. The next cut has a heat input of its own.
+      // The beam does not cut through the sheet here. The next cut starts with an unknown heat
+      // input.
       joules_per_mm_ = 0.0;
       return;
     }

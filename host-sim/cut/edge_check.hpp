@@ -18,13 +18,13 @@ struct EdgePeak {
   Place place{0.0, 0.0};
 };
 
-/// A checked point of a drawn edge, with the width that was cut off the part there. The points form
-/// a row along the edges.
+/// A checked point of a drawn edge, with the width that was cut off the part there. A list of these
+/// points follows the drawn edges.
 struct EdgePlace {
   Place place{0.0, 0.0};
   double mm = 0.0;
   bool reached = false;  ///< Whether the beam of the plan touches this point.
-  /// Whether the edge leads from the previous point of the row to this point.
+  /// Whether the edge connects the previous point of the list with this point.
   bool joins = false;
 };
 

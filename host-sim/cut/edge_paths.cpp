@@ -140,8 +140,8 @@ std::optional<std::vector<Stroke>> PathDivider::path_of(const std::vector<Passag
   return path;
 }
 
-/// Appends the path along a free stretch, at the offset from the outline, with the straight lines
-/// to it. Returns false if there is no such path.
+/// Appends the path along a free stretch, at the offset from the outline, and the straight lines
+/// that connect the path with the nodes at both ends. Returns false if there is no such path.
 bool PathDivider::add_run(const FreeStretch& rest, std::vector<Stroke>& path) {
   if (!rest.first || !rest.last || rest.first->loop != rest.last->loop) return false;
   path.push_back({shared_.nodes[rest.from], rest.first->place});

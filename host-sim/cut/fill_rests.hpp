@@ -19,8 +19,8 @@ inline constexpr double kMinRowWidth = 1.0e-3;
 /// A line between rows along an outline. The beam along the line covers a gap that the rows leave.
 struct FillRest {
   std::vector<Place> places{};  ///< Points of the line, at least two.
-  /// Level of the line. The line is between the rows of this level and the rows of the level below,
-  /// which are nearer to the edge.
+  /// Level of the line. The line is between the rows of this level and the rows of the next lower
+  /// level, which are nearer to the edge.
   std::size_t level = 0;
   bool is_spur = false;  ///< Whether the line begins at a corner of a row of its level.
 };

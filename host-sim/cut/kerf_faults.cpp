@@ -46,7 +46,8 @@ class Covering {
   /// @pre spare_at() returned 0 or more for the point at `share`
   [[nodiscard]] bool holds_rest_of(const Stroke& stroke, double share) const {
     if (stroke.bulge == 0.0 && last_->bulge == 0.0) {
-      // Along a line, the distance from another line is a convex function, so its end decides.
+      // Along a line, the distance from another line is a convex function. So the distance at the
+      // end decides.
       return distance_to(*last_, stroke.to) <= reach_mm_;
     }
     return stroke.bulge * last_->bulge > 0.0 && holds_rest_of_arc(stroke, share);

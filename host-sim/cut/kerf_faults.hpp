@@ -11,8 +11,8 @@
 
 namespace sim::cut {
 
-/// Returns a fault if the path of a cut takes something off a part; nothing otherwise. The fault
-/// names the point where the path takes off most.
+/// Returns a fault if the path of a cut cuts into a part; nothing otherwise. The fault names the
+/// point where the path cuts deepest.
 /// @param contour number of the contour in the drawing
 /// @param edges all drawn edges, each with the number of its contour
 [[nodiscard]] std::optional<drawing::Fault> gouge_of(const drawing::Drawing& drawn,

@@ -15,13 +15,13 @@ namespace sim::cut {
 /// The position of the beam relative to the drawn lines of a layer.
 enum class Side : std::uint8_t {
   kWaste,  ///< Offset from the line by half a kerf, so that the part has the drawn size.
-  kOn,     ///< On the line itself, through the sheet. Open lines are possible, too.
-  kMark,   ///< On the line, which is engraved, so that nothing is cut through.
+  kOn,     ///< On the line itself, through the sheet. Lines may be open, too.
+  kMark,   ///< On the line, which is engraved: the sheet is not cut through.
   /// The beam follows lines across the area of the layer's closed contours, which is engraved.
   kFill,
   kImage,  ///< In rows of pixels. The layer's pictures are engraved, but not its contours.
-  kSkip,   ///< The beam is nowhere: the layer is skipped.
-  kStart,  ///< The beam is nowhere: the shapes of the layer mark starts of the nearest contours.
+  kSkip,   ///< The beam is not used, because the layer is skipped.
+  kStart,  ///< The beam is not used. The shapes of the layer mark starts of the nearest contours.
 };
 
 /// Returns whether a side cuts nothing through. It then requires no kerf.
@@ -34,13 +34,13 @@ enum class Side : std::uint8_t {
   return side == Side::kWaste || side == Side::kOn || is_engraved(side);
 }
 
-/// The points of its path at which a closed contour may begin.
+/// The points of a closed contour at which its cut may begin.
 enum class StartAt : std::uint8_t {
   kAny,       ///< Anywhere: on straight lines, on arcs and at corners.
   kStraight,  ///< Only on straight lines and arcs, not at corners.
   kCorner,    ///< Only at corners, if the contour has any.
   kUsual,     ///< Only in the middle of its longest stroke that has free space for the leads.
-  /// At the end of one of its tabs, before which the cut then ends. Without tabs, as kAny.
+  /// At the end of a tab; the cut then ends before this tab. Without tabs, the same as kAny.
   kTab,
 };
 

@@ -39,12 +39,12 @@ void add(std::vector<Stroke>& row, std::vector<Stroke> more, Purpose purpose) {
   }
 }
 
-/// Evenly spaced tabs of a row. The uncut length of a tab is one kerf more than the width that
-/// stays.
+/// Evenly spaced tabs of a row. The uncut length of a tab, `gap_mm`, is one kerf more than the
+/// width of the material that stays.
 struct Tabs {
   unsigned count = 0;
   double gap_mm = 0.0;
-  /// The row ends at the start of its last tab, so it is not closed.
+  /// Whether the row ends at the start of its last tab, so that it is not closed.
   bool has_last_at_end = false;
 };
 

@@ -23,7 +23,8 @@ using pocket::MedialAxis;
 constexpr double kMiddleTolerance = 5.0e-3;
 constexpr double kSamePlaceMm = 1.0e-6;
 constexpr double kNoMore = 1.0e-6;  ///< Tolerance for rounding at a limit, mm.
-/// Share of half the kerf by which two paths may be too near to each other.
+/// Distance by which two paths may be nearer to each other than required, as a share of half the
+/// kerf.
 constexpr double kWideEnough = 1.0e-3;
 /// Maximum decrease of the radius per length, mm per mm. A stretch whose end narrows faster is a
 /// corner and has no line.
@@ -284,7 +285,7 @@ bool NarrowFinder::is_cut_from_ends(const Narrow& line) const {
   return std::hypot(widest, 0.5 * length_of(line.points)) <= half_;
 }
 
-/// Adds a line. Ends that lead nowhere are shortened by the reach of the beam.
+/// Adds a line. An end at which no other line continues is shortened by the reach of the beam.
 void NarrowFinder::add(Narrow line) {
   if (is_cut_from_ends(line)) return;
   const AxisPoint widest = *std::ranges::max_element(line.points, {}, &AxisPoint::radius);

@@ -105,7 +105,8 @@ class Sharing {
       }
     }
     join_stretches(loss.stretches);
-    // Cuts along an edge that parts share have the whole edge in common, however short it is.
+    // Cuts along a shared edge have the whole edge in common, so a stretch of it may be of any
+    // length.
     const double shortest_mm = cut.is_on_edge ? 0.0 : kShortestKerfs * 2.0 * cut.half_kerf_mm;
     std::erase_if(loss.stretches, [shortest_mm](const SharedStretch& stretch) {
       return stretch.to_mm - stretch.from_mm < shortest_mm;
@@ -115,7 +116,7 @@ class Sharing {
     return loss;
   }
 
-  /// Returns the rests of a cut, without the rests that the beam covers from their ends.
+  /// Returns the rests of a cut, except the rests that the beam covers completely from their ends.
   [[nodiscard]] std::vector<std::vector<Stroke>> needed_rests(std::size_t i,
                                                               const Loss& loss) const {
     const UnbegunCut& cut = unbegun_[i];
@@ -126,7 +127,8 @@ class Sharing {
     return rests;
   }
 
-  /// Moves cuts forward if earlier cuts would leave nothing of them, where this is possible.
+  /// Moves a cut forward in the order if earlier cuts would leave nothing of it, as far as the
+  /// precedence permits.
   void leave_each_a_line() {
     constexpr int kMaxRounds = 8;
     bool is_changed = true;

@@ -12,8 +12,8 @@
 namespace sim::cut {
 namespace {
 
-/// Least length of a slice, mm. A shorter slice is not worth a pierce, because waste so narrow
-/// breaks by itself.
+/// Least length of a slice, mm. A shorter slice is not worth a pierce, because waste this narrow
+/// breaks without a cut.
 constexpr double kShortestSlice = 0.05;
 constexpr double kReachInKerfs = 10.0;
 

@@ -128,7 +128,7 @@ std::vector<CutRange> ranges_of(const CutPlan& plan) {
   return ranges;
 }
 
-/// Returns the cuts that must be driven to predict the times of a range. The reading ahead of the
+/// Returns the cuts that must be driven to predict the times of a range. The look-ahead of the
 /// controller depends on the latest motions, so cuts before the range are driven, too. Cuts after
 /// the range are driven because the job does not end with the last motion of the range.
 CutRange driven_for(const CutPlan& plan, const CutRange& range) {

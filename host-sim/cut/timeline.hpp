@@ -19,8 +19,8 @@ enum class TimeKind : std::uint8_t {
   kCornerLoop,
   kCornerDwell,
   kRapid,
-  kWait,      ///< At rest with the beam off before a pierce, until the sheet is cooler.
-  kOverscan,  ///< Before, between and after the lines of filled areas, with the beam off.
+  kWait,      ///< Rests with the beam off before a pierce, until the sheet is cooler.
+  kOverscan,  ///< Motions with the beam off before, between and after the lines of filled areas.
 };
 inline constexpr std::size_t kTimeKinds = 9;
 
