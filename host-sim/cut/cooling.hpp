@@ -21,10 +21,10 @@ struct CoolingRules {
 /// Cut::after. Counts the cuts that moved in `safety`.
 void reorder_for_cooling(CutPlan& plan, const CoolingRules& rules);
 
-/// Sets `wait_s` of each cut so that at least `cool_s` pass between the last stroke of the beam
-/// within `distance_mm` of its pierce and the pierce. Times are computed without acceleration, so a
-/// wait may be too long, but never too short. A cut that begins with a link has no pierce and does
-/// not wait.
+/// Sets `wait_s` of each cut so that the sheet can cool: the pierce comes at least `cool_s` after
+/// the beam last cut within `distance_mm` of the pierce. Times are computed without acceleration,
+/// so a wait may be too long, but never too short. A cut that begins with a link has no pierce and
+/// does not wait.
 void wait_for_cooling(CutPlan& plan, const CoolingRules& rules);
 
 }  // namespace sim::cut

@@ -12,7 +12,7 @@
 
 namespace sim::cut {
 
-/// Computes how much time each beginning of a cut adds to the cut, its own cost. A cut that begins
+/// Computes the own costs of cuts: the time that each beginning adds to its cut. A cut that begins
 /// at a corner stops where the machine would slow down in any case. A cut that begins in the middle
 /// of an edge makes one more stop.
 ///

@@ -13,8 +13,9 @@ namespace {
 
 /// Distance from the end of a closed path within which a point counts as the start of the path, mm.
 constexpr double kSameEnd = 1.0e-6;
-/// Least distance between the end of a line and the outlines, as a share of half a kerf. For other
-/// points of the line, the least distance is proportional to their distance along the line.
+/// Least distance between the outlines and the end of a line from a node, as a share of half a
+/// kerf. At other points of the line, the least distance is proportional to the distance from the
+/// node.
 constexpr double kGains = 0.4;
 
 /// Returns the angle from one direction, turning left, to another one, radians, above 0.

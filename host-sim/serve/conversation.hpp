@@ -70,7 +70,8 @@ struct Conversation {
 [[nodiscard]] std::string end_text(std::uint64_t end_ns);
 [[nodiscard]] std::string to_text(const Conversation& conversation);
 
-/// Throws std::invalid_argument with `name:line: ` and the fault.
+/// Returns the conversation that `text` contains. Throws std::invalid_argument with `name:line: `
+/// and the fault.
 [[nodiscard]] Conversation parse_conversation(std::string_view text, const std::string& name);
 
 }  // namespace sim

@@ -43,8 +43,8 @@ class Server {
   void run(const StopSignals& stop);
 
  private:
-  /// Runs the cycles that are due. The loop begins with this call, so that bytes that arrive now do
-  /// not act in cycles that were due before.
+  /// Runs the cycles that are due. Each round of the server loop begins with this call. So bytes
+  /// that arrive in this round do not act in cycles that were due before.
   void catch_up();
   void show_view();
   void sleep(const StopSignals& stop);
