@@ -20,7 +20,7 @@ constexpr milliseconds kPeriod{50};
 // Interval at which unchanged news are repeated, as a sign that the server runs.
 constexpr milliseconds kRepeat{1000};
 constexpr std::size_t kPointsPerMessage = 2000;
-// Number of bytes that a watcher has not read from which on it gets no news until it has read some.
+// Greatest number of unread bytes with which a watcher still gets news.
 constexpr std::size_t kTooSlow = std::size_t{1} << 18;
 constexpr std::size_t kAxesShown = 3;
 
