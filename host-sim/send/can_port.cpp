@@ -126,7 +126,8 @@ std::string CanNodePort::take_news() {
 void CanNodePort::attend() {
   using std::chrono::microseconds;
   const auto now = Clock::now();
-  // The offset makes the first heartbeat due at once.
+  // `host_` receives this time plus one heartbeat period, so that the first heartbeat is due
+  // immediately.
   const auto passed = std::chrono::floor<microseconds>(now - begun_).count();
   wire_->carry();
   if (!started_) started_ = host_.order(can::NetworkCommand::kStart);

@@ -110,7 +110,8 @@ void Sender::take_status(const Answer& answer) {
   if (state_ == State::kAsking) judge_state();
 }
 
-/// Decides by the machine's state whether lines can be sent: the machine must do nothing else.
+/// Checks by the state of the machine whether lines can be sent. Fails if the controller is in
+/// alarm, unless the options permit that. Resets a held controller if the options require it.
 void Sender::judge_state() {
   const bool alarm = reported_.state.starts_with("Alarm");
   if (alarm && !options_.rests_in_alarm) return fail(kInAlarm);

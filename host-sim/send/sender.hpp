@@ -170,7 +170,7 @@ class Sender {
   Time asked_;     ///< Time at which the question of the current state was last sent.
   Time polled_;    ///< Time at which a status report was last requested.
   Time moved_;     ///< Time at which a line was last answered or sent again.
-  Time heard_;     ///< When anything was last received.
+  Time heard_;     ///< Time at which bytes were last received.
   Time wished_{};  ///< Time at which a request of the operator was last sent.
   unsigned questions_ = 0;
   std::string trouble_;

@@ -18,8 +18,8 @@ constexpr Time kBeginPeriod{300};
 constexpr unsigned kMaxQuestions = 20;
 /// Time since the last answer after which several lines may have been lost.
 constexpr Time kStall{60};
-/// Time since the last answer after which a single line may have been lost. It is longer because
-/// the line may be waiting for the machine.
+/// Time since the last answer after which a single line may have been lost. It is longer than
+/// kStall, because a single unanswered line may only be waiting for the machine.
 constexpr Time kStallOfOne{1000};
 /// Time within which a report should confirm a request of the operator. Otherwise the request is
 /// repeated.
