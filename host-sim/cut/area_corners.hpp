@@ -20,10 +20,10 @@ struct AreaCorner {
   [[nodiscard]] bool is_touched_from(const Place& other) const;
 };
 
-/// Returns the corners of a polygon around an area that keeps `distance_mm` from its skin. The
-/// sides of the polygon are tangents of arcs at this distance around the area's convex arcs and
-/// corners. The polygon has no corners at inner corners of the area, because no shortest path turns
-/// there.
+/// Returns the corners of a polygon around an area. The polygon keeps `distance_mm` from the skin
+/// of the area. Its sides are tangents of arcs at this distance around the convex arcs and corners
+/// of the area. The polygon has no corners at inner corners of the area, because no shortest path
+/// turns there.
 /// @param distance_mm above 0
 [[nodiscard]] std::vector<AreaCorner> corners_around(const LoopArea& area, double distance_mm);
 

@@ -10,8 +10,8 @@
 namespace sim::cut {
 namespace {
 
-/// Greatest number of middles of strokes, and of ends of strokes, that are tried as the usual
-/// beginning with each length of the leads.
+/// Greatest number of middles of strokes that are tried as the usual beginning, for each length of
+/// the leads. Also the greatest number of ends of strokes that are tried.
 constexpr std::size_t kMaxUsualSpots = 64;
 constexpr std::array kLeadShares{1.0, 0.5, 0.25, 0.125};
 
@@ -44,8 +44,8 @@ std::vector<Spot> usual_spots(const MeasuredRow& loop) {
   return middles;
 }
 
-/// Returns the distances along the loop to its corners. For an outer corner this is the middle of
-/// the arc around it.
+/// Returns the distances along the loop to its corners. The distance to an outer corner is the
+/// distance to the middle of the arc around the corner.
 std::vector<double> corner_spots(const MeasuredRow& loop,
                                  const LayerSettings& settings,
                                  double half_kerf_mm) {

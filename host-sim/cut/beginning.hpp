@@ -12,8 +12,8 @@ namespace sim::cut {
 struct BeginningWish {
   StartAt where = StartAt::kAny;
   std::size_t count = 16;  ///< Approximate number of beginnings. At least one is found.
-  /// Distance along the loop to the only permitted beginning, mm. Without a value, any is
-  /// permitted.
+  /// Distance along the loop to the only permitted beginning, mm. Without a value, every beginning
+  /// is permitted.
   std::optional<double> marked_mm{};
 };
 

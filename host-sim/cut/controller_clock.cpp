@@ -21,7 +21,8 @@ constexpr double kStartS = 1.5 * kLineS;
 /// Time for which the controller rests at each stop before it continues, s. It is a number of
 /// cycles, as measured on the simulated controller.
 constexpr double kStandstillS = 4.0e-3;
-/// Time by which the controller divides the plan into segments before it drives them, s.
+/// Time between the division of the plan into segments and the motion of these segments, s. The
+/// controller divides the plan ahead of the motion.
 constexpr double kAheadS = 0.020;
 
 Limits limits_of(const OrderWish& machine) {
@@ -90,7 +91,8 @@ void ControllerClock::make_blocks() {
     if (!block.ok()) continue;
     queue_.push(block.value(), piece->joint);
     double& left_s = left_s_[pushed_++ % left_s_.size()];
-    // No line is read while the queue is full.
+    // No line is read while the queue is full, so the next line is read when the plan leaves a
+    // block.
     read_s_ = std::max(read_s_, left_s);
     if (!queue_.at(queue_.size() - 1).from_rest) continue;
     while (queue_.size() > 1) CNC_ASSERT(drive());

@@ -56,7 +56,8 @@ class ControllerClock {
   WrittenPath written_;
   std::vector<double> times_{};  ///< Time of each motion, s.
   std::size_t last_ = 0;         ///< Number of the last motion that was driven.
-  bool in_chain_ = false;        ///< Whether a chain has begun whose window is not yet counted.
+  /// Whether a chain has begun whose window is not yet added to the times.
+  bool in_chain_ = false;
 
   // State from which the controller chooses a window. These times are seconds since the start of
   // the program.

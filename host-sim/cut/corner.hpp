@@ -44,7 +44,7 @@ struct CornerWork {
 /// past an outer corner, turns around in the waste and comes back along the next edge. So the beam
 /// passes the corner of the part at speed. Where free space is lacking, the radius of the loop is
 /// reduced, at most to an eighth. At inner corners, and at outer corners without free space, the
-/// beam rests there with its power off for the dwell.
+/// beam rests with its power off for the time of the dwell.
 /// @param parts all drawn edges; every point of a loop is at least half the kerf from each of them
 CornerWork treat_corners(std::vector<Stroke>& strokes,
                          const LayerSettings& settings,

@@ -11,7 +11,7 @@ namespace {
 constexpr double kQuarterBulge = std::numbers::sqrt2 - 1.0;
 constexpr double kDiagonal = 0.5 * std::numbers::sqrt2;
 
-/// Returns the lead-in of the path length `length` that ends at `place` in the direction `tangent`.
+/// Returns the lead-in that has the length `length` and ends at `place` in the direction `tangent`.
 Stroke lead_in(const Lead& lead, double length, const Place& place, const Place& tangent) {
   if (lead.kind == LeadKind::kLine) {
     const Place from = place + length * kDiagonal * (right_of(tangent) - tangent);

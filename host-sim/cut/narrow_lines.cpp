@@ -26,8 +26,8 @@ constexpr double kNoMore = 1.0e-6;  ///< Tolerance for rounding at a limit, mm.
 /// Distance by which two paths may be nearer to each other than required, as a share of half the
 /// kerf.
 constexpr double kWideEnough = 1.0e-3;
-/// Maximum decrease of the radius per length, mm per mm. A stretch whose end narrows faster is a
-/// corner and has no line.
+/// Maximum decrease of the radius along a stretch, mm per mm of its length. A stretch whose end
+/// narrows faster is a corner and has no line.
 constexpr double kSteepest = 0.5;
 /// Half the length of a line that replaces a point, as a share of half the kerf.
 constexpr double kDot = 0.25;

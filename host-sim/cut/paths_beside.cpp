@@ -133,7 +133,8 @@ void part_crowds(const DrawnEdges& edges,
   }
 }
 
-/// Replaces the gouges of an outline by one fault if its part lies against another part.
+/// Replaces the faults in `gouges` of an outline by one fault if its part lies against another
+/// part.
 void name_touching(const DrawnEdges& edges, std::vector<PathBeside>& paths) {
   for (std::size_t i = 0; i < paths.size(); ++i) {
     if (paths[i].gouges.empty()) continue;

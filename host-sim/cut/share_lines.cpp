@@ -255,9 +255,9 @@ class Sharing {
   std::vector<std::size_t> ranks_;
   Clearance strokes_;
   std::vector<OwnedStroke> owner_of_stroke_;
-  /// Rests that replace each cut. A cut without rests is made completely.
+  /// For each cut, the rests that replace it. A cut without rests stays as it is.
   std::vector<std::vector<std::vector<Stroke>>> rests_;
-  /// Numbers of the earlier cuts that make lines of each cut.
+  /// For each cut, the numbers of the earlier cuts that make lines of this cut.
   std::vector<std::vector<std::size_t>> owners_;
 };
 
