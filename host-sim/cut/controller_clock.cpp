@@ -100,12 +100,13 @@ void ControllerClock::make_blocks() {
   }
 }
 
-/// Follows the plan for one stretch and counts its time. Returns false if there is nothing to
-/// drive.
+/// Follows the plan for one stretch, and adds the time of the stretch to its motion. Returns false
+/// if there is nothing to drive.
 bool ControllerClock::drive() {
   if (plan_.at_end()) return false;
   const cnc::motion::SourceLine line = queue_.at(plan_.blocks_left()).line;
-  // Line numbers have 24 bits and repeat, so the motion is the newest one with this number.
+  // Line numbers have 24 bits, so they repeat. The driven motion is the newest motion with this
+  // number.
   constexpr std::size_t kLineNumbers = std::size_t{1} << 24U;
   const std::size_t newest = times_.size() - 1;
   const std::size_t motion = newest - (newest - line.number) % kLineNumbers;

@@ -31,8 +31,8 @@ constexpr double kNoLimit = std::numeric_limits<double>::infinity();
 /// Distance from the edge of the beam within which drawn edges count as cut under unknown
 /// conditions, mm. It applies where no test cut covers the condition of the beam.
 constexpr double kAroundUnknown = 0.1;
-/// Distance from a pierce within which cuts are not swept, mm. The beam is wider while it pierces,
-/// and shortly after.
+/// Distance from a pierce within which cuts do not count in the swept area, mm. The beam is wider
+/// during a pierce and shortly afterwards.
 constexpr double kAroundPierce = 0.1;
 
 cnc::AxisArray<double> scales_of(const cnc::Settings& settings) {
@@ -43,8 +43,9 @@ cnc::AxisArray<double> scales_of(const cnc::Settings& settings) {
   return steps;
 }
 
-/// Returns the kerf at a heat input, from the laws of the rows around the thickness. Test cuts need
-/// not cover the heat input. Returns nothing if one of these rows was measured and has no law.
+/// Returns the kerf at a heat input, from the laws of the rows around the thickness. The heat input
+/// may be beyond all test cuts. Returns nothing if one of these rows has a measured kerf instead of
+/// a law.
 std::optional<double> kerf_of_heat(const cnc::kerf::TableView<double>& table,
                                    std::uint32_t thickness_um,
                                    double heat) {

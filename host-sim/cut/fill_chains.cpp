@@ -200,7 +200,8 @@ class ChainMaker {
   }
 
  private:
-  /// Drives all rows of a level. Paths that ended next to a row continue along it.
+  /// Drives all rows of a level. A path that ended next to a row of this level continues along the
+  /// row.
   void drive_level(std::size_t number) {
     Level& level = *levels_[number];
     std::vector<std::vector<Level::Detour>> arriving(level.size());

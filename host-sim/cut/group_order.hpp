@@ -31,7 +31,7 @@ struct GroupResult {
   bool is_proven = false;
 };
 
-/// Returns the number of steps of a search that is not bounded by time. They take about a second
+/// Returns the number of steps of a search without a limit of time. These steps take about a second
 /// for 1,000 cuts, and at most about 20 s.
 /// @param candidates number of beginnings of all cuts
 [[nodiscard]] std::uint64_t usual_steps(std::size_t cuts, std::size_t candidates);

@@ -24,8 +24,8 @@ constexpr double kLookForGougesEvery = 0.01;
 /// Distance between the points of an outline that are checked for uncut stretches, mm.
 constexpr double kLookForRestsEvery = 0.05;
 
-/// The area from which the beam removes material along paths. A check begins with the stroke that
-/// was nearest to the previous point, because it is usually near the next point, too.
+/// The area from which the beam removes material along paths. A check first tries the stroke that
+/// was nearest to the previous point, because this stroke is usually near the next point, too.
 class Covering {
  public:
   /// Makes the area along `paths`, which must outlive this object.

@@ -48,8 +48,8 @@ std::vector<std::string> lines_of(const OrderFigures& order, std::size_t cuts) {
   const auto cost = [&order](const RapidSum& sum) {
     return order.wish.cost == OrderCost::kLength ? sum.length_mm : sum.time_s;
   };
-  // The rapids of the other orders are known only as straight ones. So this order is compared by
-  // its straight rapids, too.
+  // For the other orders, only the lengths of straight rapids are known. So this order is compared
+  // by its straight rapids, too.
   const auto beside = [&](std::string_view name, const RapidSum& other) {
     return line(name, other) +
            fmt::format("; {:.1f} percent saved", saving(cost(order.straight), cost(other)));

@@ -7,8 +7,8 @@
 namespace sim::cut {
 namespace {
 
-/// Returns whether a point of an arc's circle is on the arc. For any sweep, the arc is on the side
-/// of its chord to which it bulges.
+/// Returns whether a point on the circle of an arc is on the arc. For any sweep, the arc is on that
+/// side of its chord to which it bulges.
 bool is_on_arc(const Stroke& arc, const Place& place) {
   const double side = drawing::cross(arc.to - arc.from, place - arc.from);
   return arc.bulge > 0.0 ? side <= 0.0 : side >= 0.0;

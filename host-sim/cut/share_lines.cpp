@@ -243,7 +243,8 @@ class Sharing {
       settings.overcut_mm = 0.0;
       settings.start = StartAt::kUsual;
       if (rest != longest) settings.tabs = 0;
-      // The cut begins in the kerf of the other part, unless that part has a tab at this point.
+      // The cut requires no pierce, because it begins in the kerf of the other part. If the parts
+      // have tabs, the pierce stays, because a tab of the other part may be at this point.
       if (unbegun_[i].settings.tabs == 0) settings.pierce_s = 0.0;
       unbegun.push_back(std::move(open));
       cuts.push_back(cut);

@@ -62,7 +62,8 @@ double SweptArea::depth_of(const Place& place) const {
       depth = std::max(depth, disc.radius_mm - drawing::distance(disc.centre, place));
     }
   };
-  // The nearest group is measured first, so that few other groups can be deeper.
+  // The nearest group is measured first. Most other groups can then be skipped, because no point of
+  // them is deeper.
   const Cell* nearest_cell = nullptr;
   std::size_t nearest = 0;
   double least = std::numeric_limits<double>::infinity();
