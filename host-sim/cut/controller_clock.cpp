@@ -67,7 +67,7 @@ void ControllerClock::move(const Stroke& path, double feed_mm_s, bool is_lit) {
   }
 }
 
-/// Appends an element to the path. If the path is full, it drives motion until there is free space.
+/// Appends an element to the path. If the path is full, drives motions until there is free space.
 void ControllerClock::put(const cnc::path::PathItem& item) {
   while (!path_.has_room()) {
     make_blocks();

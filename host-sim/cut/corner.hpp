@@ -13,8 +13,8 @@ namespace sim::cut {
 /// A point where the beam's path along a part turns sharply.
 struct Corner {
   std::size_t stroke =
-      /// Number of a stroke: at an outer corner the arc around it, at an inner corner the stroke
-      /// that begins there.
+      /// Number of the stroke at the corner. It is the arc around an outer corner, or the stroke
+      /// that begins at an inner corner.
       0;
   /// Whether the waste is on the outside of the turn. A loop may then have free space.
   bool is_outer = false;

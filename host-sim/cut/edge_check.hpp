@@ -28,7 +28,7 @@ struct EdgePlace {
   bool joins = false;
 };
 
-/// Accuracy of the parts: distances of the edge that the beam leaves from the drawn edge. A
+/// Accuracy of the parts, as distances between the edge that the beam leaves and the drawn edge. A
 /// positive distance is cut off the part, a negative one is left on it.
 struct EdgeFigures {
   /// Greatest width that is cut off the part, at the points that the plan's beam touches.
@@ -43,7 +43,8 @@ struct EdgeFigures {
   /// Greatest distance between the actual edge and the edge that the plan's path and kerf would
   /// leave. It includes inner corners.
   EdgePeak max_off_model{};
-  /// The same distance, only at points that the beam reaches under conditions that test cuts cover.
+  /// As max_off_model, but only at points that the beam reaches under conditions that test cuts
+  /// cover.
   EdgePeak max_off_known{};
   /// Length of drawn edges that the beam reaches under conditions that no test cut covers.
   double unknown_mm = 0.0;

@@ -145,7 +145,8 @@ std::optional<std::vector<Stroke>> PathDivider::path_of(const std::vector<Passag
 bool PathDivider::add_run(const FreeStretch& rest, std::vector<Stroke>& path) {
   if (!rest.first || !rest.last || rest.first->loop != rest.last->loop) return false;
   path.push_back({shared_.nodes[rest.from], rest.first->place});
-  // The marks of both ends of a small step may be the same inner corner of a path.
+  // Both ends of a short free stretch, such as a small step, may have their marks at the same inner
+  // corner of a path.
   const bool is_step = std::abs(rest.first->way_mm - rest.last->way_mm) <= kSameMark &&
                        rest.length_mm <= kLongestConnector * half_;
   if (!is_step) {
@@ -177,8 +178,8 @@ bool PathDivider::is_beside(std::size_t contour, const std::vector<Stroke>& run)
   });
 }
 
-/// Returns whether the runs on each divided path cover it exactly once: each run ends where the
-/// next one begins.
+/// Returns whether the runs cover each divided path exactly once: each run ends where the next run
+/// begins.
 bool PathDivider::are_divided_once() {
   for (std::vector<Run>& runs : runs_) {
     std::ranges::sort(runs, {}, &Run::from_mm);

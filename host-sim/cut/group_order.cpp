@@ -201,8 +201,8 @@ GroupResult GroupProblem::solve(const order::OrderProgress& progress) {
 }  // namespace
 
 std::uint64_t usual_steps(std::size_t cuts, std::size_t candidates) {
-  // Number of legs that one step compares. In a small group, all cuts choose their candidates
-  // again. In a larger group, only the nearby cuts do.
+  // Number of legs that one step compares. In a small group, all cuts choose their candidates again
+  // in each step. In a larger group, only the nearby cuts choose again.
   const double of_a_cut = static_cast<double>(candidates) / static_cast<double>(cuts);
   constexpr double kFewCuts = 64.0;  // Same value as in cnc::order::Search.
   const double count = static_cast<double>(cuts);

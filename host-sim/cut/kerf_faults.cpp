@@ -61,9 +61,9 @@ class Covering {
   const Stroke* last_ = nullptr;
 };
 
-/// Returns whether the rest of an arc is within reach of the paths' arc `last_`. If both arcs have
-/// nearly the same centre, their distance is the difference of the radii. It is larger only where
-/// the first arc extends beyond the ends of `last_`.
+/// Returns whether the rest of an arc after `share` is within reach of the arc `last_` of the
+/// paths. If both arcs have nearly the same centre, their distance is the difference of the radii.
+/// The distance is larger only where the rest extends beyond the ends of `last_`.
 bool Covering::holds_rest_of_arc(const Stroke& stroke, double share) const {
   constexpr double kAheadOfStart = 0.25 * std::numbers::pi;
   const Place centre = arc_centre(*last_);

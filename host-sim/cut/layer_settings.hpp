@@ -86,7 +86,7 @@ struct LayerSettings {
   Lead lead_in{LeadKind::kArc, 2.0};
   Lead lead_out{};
   double overcut_mm = 0.0;
-  /// Width of the material that stays at a tab. The uncut length of the path is one kerf more.
+  /// Width of the material that stays at a tab. The uncut length of the path is one kerf longer.
   double tab_mm = 0.5;
   unsigned tabs = 0;  ///< Number of tabs of each part; holes have no tabs.
   double pierce_s = 0.0;

@@ -50,7 +50,7 @@ class LegCost {
 
   /// Returns the cost of the leg between two candidates. Half of the own cost of a candidate
   /// belongs to the leg to the candidate, and half to the leg from it. So a tour has the same cost
-  /// in both directions if its rapids do.
+  /// in both directions if its rapids have.
   [[nodiscard]] double operator()(cnc::order::Index from, cnc::order::Index to) const {
     return table_.empty() ? computed(from, to) : table_[from * terms_.places.entry.size() + to];
   }

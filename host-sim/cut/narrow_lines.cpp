@@ -212,8 +212,8 @@ void NarrowFinder::drop_corners() {
   for (bool is_changed = true; is_changed;) {
     is_changed = false;
     std::vector<Narrow> kept;
-    // All stretches are checked in the same state. If dropping a stretch gives another stretch a
-    // free end, this other stretch is checked in the next pass.
+    // In one pass, all stretches are checked before any is dropped. If dropping a stretch gives
+    // another stretch a free end, this other stretch is checked in the next pass.
     std::vector<bool> goes;
     for (const Narrow& narrow : narrows_) goes.push_back(is_corner(narrow));
     for (std::size_t i = 0; i < narrows_.size(); ++i) {

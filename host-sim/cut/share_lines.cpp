@@ -36,7 +36,7 @@ bool is_reached_from_ends(const std::vector<Stroke>& rest, double half_kerf_mm) 
   return true;
 }
 
-/// The stretches of a path that earlier cuts make.
+/// The stretches of a path that earlier cuts make, so that the cut of the path loses them.
 struct Loss {
   std::vector<SharedStretch> stretches{};
   std::vector<std::size_t> owners{};  ///< Numbers of the earlier cuts that make a stretch.
@@ -143,8 +143,9 @@ class Sharing {
     }
   }
 
-  /// Moves a cut forward, before one of the owners of its lines. If several owners permit this, it
-  /// is the owner that keeps the greatest length. Returns false if no owner permits it.
+  /// Moves a cut forward, before one of the owners of its lines. If several owners permit this,
+  /// chooses the owner with the greatest length that it does not itself leave to earlier cuts.
+  /// Returns false if no owner permits it.
   bool comes_before_an_owner(std::size_t i, const Loss& loss) {
     std::vector<bool> is_before(unbegun_.size());
     std::vector<std::size_t> open{i};

@@ -161,7 +161,7 @@ observer.addEventListener('lost', () => {
   enable();
 });
 
-// `ready` comes after a reset, too. The notice with the reason why a job stopped must survive it.
+// `ready` also comes after a reset. The notice with the reason why a job stopped must stay then.
 sender.addEventListener('ready', () => {
   if (!controls) notice.clear();
   controls = true;
@@ -186,7 +186,8 @@ at('control').onclick = () => {
 };
 at('file').onchange = async () => {
   const file = at('file').files[0];
-  at('file').value = ''; // The operator may choose the same file again after changing it.
+  // Without this, choosing the same file again after a change would cause no event.
+  at('file').value = '';
   if (file) await open(file);
 };
 at('run').onclick = run;

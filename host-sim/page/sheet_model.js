@@ -100,5 +100,5 @@ export class SheetModel {
   }
 }
 
-// Rounds to micrometres, so that sums have no rounding errors in their printed digits.
+// Rounds to micrometres, so that sums are printed without the digits of rounding errors.
 export const round = (mm) => Math.round(mm * 1000) / 1000;

@@ -14,7 +14,7 @@ struct CodeRemedy {
   std::string_view remedy;  ///< One or two sentences for the operator.
 };
 
-/// Return one entry for each alarm or error number of the firmware, and no others.
+/// Return one entry for each alarm number, or for each error number, of the firmware.
 [[nodiscard]] std::span<const CodeRemedy> alarm_remedies();
 [[nodiscard]] std::span<const CodeRemedy> error_remedies();
 

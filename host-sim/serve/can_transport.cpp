@@ -59,10 +59,10 @@ void CanTransport::attend() {
   wire_->carry();
 }
 
-/// Advances the link's time. If this process was suspended on a busy machine, the host may have
-/// waited for the same processor. So at most kUsual of the elapsed time counts as silence of the
-/// host. If the controller's time runs faster than the clock, the host does not, so its silence is
-/// divided by `speed_`.
+/// Advances the time of the link. If this process was suspended on a busy machine, the host may
+/// have waited for the same processor. So at most kUsual of the elapsed time counts as silence of
+/// the host. If the controller's time runs faster than real time, the host is not faster. So its
+/// silence is divided by the speed.
 void CanTransport::pass_time() {
   using std::chrono::microseconds;
   // Greatest time that counts as silence, slightly more than a cycle.

@@ -8,8 +8,8 @@
 
 namespace sim {
 
-/// Receives the bytes that pass between a sender and the controller, as the controller reads and
-/// writes them.
+/// Receives the bytes that pass between a sender and the controller, at the time at which the
+/// controller reads or writes them.
 class LinkListener {
  public:
   virtual void on_read(std::span<const std::byte> bytes) = 0;

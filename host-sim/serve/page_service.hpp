@@ -14,8 +14,8 @@ class PageService {
  public:
   using Answer = std::variant<WebReply, WebWork>;
 
-  /// Returns the refusal of a request, which depends only on the head of the request; nothing if
-  /// the body may be read.
+  /// Returns the refusal of a request, which depends only on its head; nothing if the body may be
+  /// read.
   [[nodiscard]] virtual std::optional<WebReply> refusal(const HttpRequest& request) const = 0;
   /// Returns the answer to a request that was not refused.
   [[nodiscard]] virtual Answer answer(HttpRequest request) = 0;

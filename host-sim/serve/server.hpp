@@ -11,8 +11,8 @@
 
 namespace sim {
 
-/// SIGINT, SIGTERM and SIGHUP as a descriptor for poll(). Must be created before any other thread
-/// starts, so that the signals are blocked in those threads, too.
+/// SIGINT, SIGTERM and SIGHUP as a descriptor for poll(). Create it before any other thread, so
+/// that the signals are blocked in all threads.
 class StopSignals {
  public:
   StopSignals();

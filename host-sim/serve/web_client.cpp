@@ -31,7 +31,7 @@ WebReply reply_of(const WebWork& make) {
 }
 
 /// Returns the request; nothing if it is malformed. A request with a duplicate header is malformed,
-/// because two readers could use different values.
+/// because two programs that read it could use different values.
 std::optional<HttpRequest> request_of(const http::request_parser<http::string_body>& parser) {
   const auto& head = parser.get();
   for (const auto& field : head) {

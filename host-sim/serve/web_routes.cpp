@@ -251,7 +251,7 @@ WebReply WebRoutes::order(const std::string& path, const std::string& body) {
   return json_reply({{"stops", job_.program()->name}});
 }
 
-/// Returns the judgement of the job for the present state of the machine. While there is none,
+/// Returns the judgement of the job for the present state of the machine. If there is none yet,
 /// starts to make it and returns null.
 const Judgement* WebRoutes::judgement() {
   const Standpoint standpoint = standpoint_of(controller_.machine());
