@@ -170,8 +170,9 @@ GroupResult GroupProblem::result_of(const order::OrderResult& result) const {
 }
 
 GroupResult GroupProblem::solve(const order::OrderProgress& progress) {
-  constexpr std::size_t kMaxProven = 13;  // Greatest number of cuts for which a proof costs little.
-  constexpr double kTurningShare = 0.6;   // Share of the search that solves the symmetric problem.
+  // Greatest number of cuts for which a proof of the best order takes little time.
+  constexpr std::size_t kMaxProven = 13;
+  constexpr double kTurningShare = 0.6;  // Share of the search that solves the symmetric problem.
   order::OrderOptions options;
   options.method = task_.method;
   options.seconds = task_.seconds;

@@ -186,8 +186,8 @@ std::vector<Rest> rests_along(const std::vector<Stroke>& outline,
       if (spare >= 0.0) {
         end_rest();
         if (covering.holds_rest_of(stroke, static_cast<double>(k) / looks)) break;
-        // Points of the outline that are nearer than `spare` to this point are within the kerf of a
-        // path, too.
+        // Points of the outline at less than `spare` from this point are within the kerf of a path,
+        // too. So they are skipped.
         k += static_cast<int>(spare * looks / length);
       } else {
         rest.push_back(place);

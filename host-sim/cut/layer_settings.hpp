@@ -54,7 +54,7 @@ struct Lead {
   bool operator==(const Lead&) const = default;
 };
 
-/// The gas that flows to the cut while the beam is on, by its coolant word.
+/// The gas that flows to the cut while the beam is on. Each value has a coolant word of G-code.
 enum class Air : std::uint8_t {
   kFlood,  ///< Gas of the flood output, M8.
   kMist,   ///< Gas of the mist output, M7.

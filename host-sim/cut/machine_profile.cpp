@@ -115,7 +115,7 @@ std::vector<Place> outermost_of(const Cut& cut) {
 struct BedSide {
   const char* name = "";
   std::size_t axis = 0;
-  double way = 1.0;  ///< Sign of the direction along the axis that leads off the bed.
+  double way = 1.0;  ///< Sign of the direction along the axis in which this side of the bed is.
   double edge = 0.0;
   double beyond_mm = kBedSlackMm;
   Place place{0.0, 0.0};

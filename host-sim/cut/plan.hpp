@@ -16,11 +16,11 @@
 
 namespace sim::cut {
 
-/// The program that computes the path at an offset of half a kerf.
+/// The side that computes the compensated path, at an offset of half a kerf.
 enum class WayBeside : std::uint8_t {
-  kHere,  ///< This program computes it, and the G-code contains the beam's path.
-  /// The controller computes it. The G-code contains the drawn outline, and G42 with the kerf of
-  /// the material.
+  kHere,  ///< This program computes the path, and the G-code contains the path of the beam.
+  /// The controller computes the path. The G-code contains the drawn outline, and G42 with the kerf
+  /// of the material.
   kOnController,
 };
 

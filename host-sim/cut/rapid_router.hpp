@@ -20,7 +20,7 @@ class RapidRouter {
     Place lowest{0.0, 0.0};
   };
 
-  /// Makes a router around `areas`. Each find() uses their state at the time of the call.
+  /// Makes a router around `areas`. Each call of find() uses the areas that exist at that time.
   RapidRouter(const FreedAreas& areas, const Rules& rules) : areas_{&areas}, rules_{rules} {}
 
   /// Returns all points of the path of a rapid, including its ends. The path is nearly the shortest

@@ -95,9 +95,9 @@ class PassRepeater {
 
   const CutPlan& plan_;
   std::vector<Cut> cuts_;
-  /// Number of the previous pass of the same cut, for each pass.
+  /// For each pass, the number of the previous pass of the same cut.
   std::vector<std::size_t> before_;
-  std::vector<std::size_t> last_;  ///< Number of the last pass so far, for each cut.
+  std::vector<std::size_t> last_;  ///< For each cut, the number of its last pass so far.
 };
 
 }  // namespace

@@ -8,7 +8,8 @@ namespace sim::cut {
 
 /// Rules by which rapids avoid freed areas.
 struct AvoidanceRules {
-  /// Distance from areas in addition to half a kerf, above 0. In gaps the sum of both may be less.
+  /// Distance from areas in addition to half a kerf, above 0. In gaps, rapids may keep less than
+  /// the sum of both distances.
   double margin_mm = 0.1;
   double lift_mm = 0.0;  ///< Height of Z for rapids without a path; 0: rapids are not lifted.
 };

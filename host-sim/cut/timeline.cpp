@@ -144,7 +144,7 @@ CutRange driven_for(const CutPlan& plan, const CutRange& range) {
   return driven;
 }
 
-/// Returns the steps of a range of cuts. The time of the first step is arbitrary.
+/// Returns the steps of a range of cuts. The first step begins at an arbitrary time.
 Timeline timeline_of(const CutPlan& plan, const CutRange& range) {
   const CutRange driven = driven_for(plan, range);
   OrderWish machine = plan.order.wish;

@@ -38,8 +38,9 @@ class AgreedAnswers {
   [[nodiscard]] bool is_missing(const Forms& forms) const;
   [[nodiscard]] static const std::string* settled_form(const Forms& forms);
 
-  std::map<std::string, Forms, std::less<>> facts_;  ///< Forms of each fact, by name; '$' comes
-                                                     ///< before '<' and '['.
+  /// Forms of each fact, by the name of the fact. In this order, names with '$' come before names
+  /// with '<' and '['.
+  std::map<std::string, Forms, std::less<>> facts_;
   std::size_t rounds_ = 0;
 };
 

@@ -22,7 +22,8 @@ struct CodeRemedy {
 /// firmware does not have but another controller may.
 [[nodiscard]] std::string alarm_words(std::uint32_t number);
 [[nodiscard]] std::string error_words(std::uint32_t number);
-/// Returns the remedy alone, for errors that the controller has explained itself.
+/// Returns the remedy without the description, for an error that the controller has explained
+/// itself.
 [[nodiscard]] std::string_view error_remedy(std::uint32_t number);
 
 }  // namespace sim

@@ -36,7 +36,7 @@ class LinesInFlight {
   std::size_t furthest_ = 0;  ///< Greatest value of next_ so far.
   std::size_t answered_ = 0;
   std::deque<std::size_t> sizes_;  ///< Bytes of each line from answered_ to next_.
-  std::size_t bytes_ = 0;          ///< Sum of sizes_.
+  std::size_t bytes_ = 0;          ///< Sum of sizes_, bytes.
   std::size_t resent_ = 0;
 };
 

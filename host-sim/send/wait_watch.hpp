@@ -22,8 +22,7 @@ class WaitWatch {
   [[nodiscard]] std::string attend(std::string_view state, std::size_t line, Time now);
 
  private:
-  std::string waits_in_;  ///< The state in which the machine waits; empty if the state ends by
-                          ///< itself.
+  std::string waits_in_;  ///< State in which the machine waits; empty if the state ends by itself.
   Time since_{};
   bool told_ = false;
 };

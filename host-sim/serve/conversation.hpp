@@ -22,7 +22,7 @@ struct Exchange {
     kStop = '!',
   };
   Kind kind = Kind::kHeard;
-  std::uint64_t time_ns = 0;  ///< Time of the controller.
+  std::uint64_t time_ns = 0;  ///< Time of the exchange, by the clock of the controller.
   std::string bytes;
   /// Line of the exchange in the recording's file; 0 if it was not read from a file.
   std::size_t line = 0;

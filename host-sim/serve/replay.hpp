@@ -16,8 +16,8 @@ namespace sim {
 /// First difference between the output of two controllers.
 struct Difference {
   std::size_t line = 0;  ///< Line in the recording's file.
-  std::string expected;  ///< Line of the recorded output that differs; empty if the recorded
-                         ///< controller wrote nothing more.
+  /// Line of the recorded output that differs; empty if the recorded controller wrote nothing more.
+  std::string expected;
   std::string said;
 
   bool operator==(const Difference&) const = default;

@@ -58,7 +58,7 @@ class WebClient : public std::enable_shared_from_this<WebClient> {
 
   /// Returns the request. @pre the head has been read
   [[nodiscard]] HttpRequest& request() { return request_; }
-  /// Starts to read the body, to the length that the head announced. @pre kHasHead
+  /// Starts to read the body, up to the length that the head announced. @pre kHasHead
   void want_body();
   /// Sends the answer. @pre kHasHead or kHasAll
   void answer(const WebReply& reply);
