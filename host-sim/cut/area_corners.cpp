@@ -15,7 +15,7 @@ constexpr double kTinyTurn = 1.0e-3;  ///< Turns below this angle are smooth, ra
 /// Sine of the angle by which AreaCorner::is_touched_from() is tolerant: about ten degrees.
 constexpr double kTouchingSine = 0.17;
 /// Least distance between a large arc and the corners around it, as a share of the radius of the
-/// arc. A lower limit of this distance limits the number of corners.
+/// arc. A greater distance results in fewer corners.
 constexpr double kShareOfRadius = 0.001;
 
 Place turned_by(const Place& way, double angle) {

@@ -34,7 +34,7 @@ namespace sim::cut {
 struct CutsBetween {
   /// Lines in the middle of narrow waste, where the cut separates the outlines.
   std::vector<std::vector<Stroke>> middles{};
-  SharedEdges edges{};  ///< Edges along which the outlines are cut apart.
+  SharedEdges edges{};  ///< Shared edges along which the cut separates the outlines.
 };
 
 /// Moves the paths along outlines that touch, or that are nearer to each other than the kerf. Then

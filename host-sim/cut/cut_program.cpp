@@ -102,7 +102,8 @@ class StrokeWriter {
     return static_cast<std::uint32_t>(std::lround(1000.0 * value));
   }
 
-  /// Returns the feed at which a pierce takes its set time, at most the feed of the layer, µm/min.
+  /// Returns the feed, µm/min, at which a pierce takes its set time, but at most the feed of the
+  /// layer.
   static std::uint32_t pierce_feed(const Stroke& stroke, const LayerPlan& layer) {
     const double feed = std::min(from_thousandths(layer.condition.cut.speed_um_min),
                                  60.0 * length_of(stroke) / layer.settings.pierce_s);

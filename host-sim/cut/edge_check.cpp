@@ -21,7 +21,7 @@ namespace {
 /// Distance between the points of drawn edges that are checked, mm.
 constexpr double kEdgeEvery = 0.02;
 /// Greatest deviation of the chords that replace drawn edges, mm. Drawn edges are the curves of the
-/// drawing itself, not the arcs that are cut.
+/// drawing, not the arcs that replace these curves in the cut.
 constexpr double kEdgeChord = 1.0e-5;
 /// Distance within which the plan's beam touches an edge, mm. For a curve that is cut as arcs, the
 /// tolerance of these arcs is added. For a line that two parts share, the line's own tolerance is
@@ -82,7 +82,8 @@ class EdgeCheck::Sweep final : public TraceSink {
                 sweep({place[0], place[1]});
               }} {
     lay_out_plan();
-    // With kerf control, the motors leave the path along which `energy_` measures.
+    // With kerf control, the motors leave the planned path, along which `energy_` measures. So
+    // `heat_` measures instead.
     if (simulator.settings().get(cnc::setting::kKerfControl) != 0.0F) {
       simulator.add_sink(heat_);
       return;

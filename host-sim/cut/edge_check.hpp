@@ -40,8 +40,8 @@ struct EdgeFigures {
   /// Number of checked points that the plan's beam touches; 0: nothing was cut.
   std::size_t places = 0;
   double untouched_mm = 0.0;  ///< Length of drawn edges that the plan's beam does not touch.
-  /// Greatest distance between the actual edge and the edge that the plan's path and kerf would
-  /// leave. It includes inner corners.
+  /// Greatest distance between the actual edge and the edge that the path and the kerf of the plan
+  /// would leave. Inner corners count, too.
   EdgePeak max_off_model{};
   /// As max_off_model, but only at points that the beam reaches under conditions that test cuts
   /// cover.

@@ -93,7 +93,8 @@ class PathDivider {
   /// Passages of each contour, in their order along the contour.
   std::map<std::size_t, std::vector<Passage>> passages_;
   std::vector<FreeStretch> rests_;
-  std::vector<std::vector<Run>> runs_;  ///< Runs on each path of `rows_`.
+  /// For each path in `rows_`, the runs into which it is divided.
+  std::vector<std::vector<Run>> runs_;
 };
 
 /// Records the free stretches of an outline, each between two of its shared edges.

@@ -193,7 +193,8 @@ class ChainMaker {
     }
     for (std::size_t level = levels_.size() + 1; level-- > 0;) {
       if (level < levels_.size()) drive_level(level);
-      // A line of this level is between this level and the next level outside.
+      // The lines of this level follow, because they are between this level and the next level
+      // outside.
       for (const FillRest* line : lines[level]) drive_line(*line, level);
     }
     return std::move(paths_);

@@ -338,7 +338,7 @@ LayerSettings settings_for(const drawing::Layer& layer,
     }
     return settings;
   };
-  // Text of single strokes has no inside, so it cannot be cut at an offset.
+  // Text that consists of single strokes has no inside, so it cannot be cut at an offset.
   const bool is_stroke_text = layer.colour == drawing::kStrokeTextColour;
   LayerSettings base = common;
   if (is_stroke_text) base.side = Side::kMark;

@@ -19,7 +19,8 @@ enum class Side : std::uint8_t {
   kMark,   ///< On the line, which is engraved: the sheet is not cut through.
   /// The beam follows lines across the area of the layer's closed contours, which is engraved.
   kFill,
-  kImage,  ///< In rows of pixels. The layer's pictures are engraved, but not its contours.
+  /// The beam follows rows of pixels. The pictures of the layer are engraved, but not its contours.
+  kImage,
   kSkip,   ///< The beam is not used, because the layer is skipped.
   kStart,  ///< The beam is not used. The shapes of the layer mark starts of the nearest contours.
 };
@@ -104,9 +105,7 @@ struct LayerSettings {
   std::optional<unsigned> rank{};
   /// Power as a share. It replaces `power_w` until power_in_watts() is called.
   std::optional<PowerShare> power_share{};
-  /// Whether each pass goes over all contours of the layer. Otherwise each contour gets all its
-  /// passes before the next contour.
-  unsigned passes = 1;
+  unsigned passes = 1;  ///< Number of times that each contour of the layer is driven, 1 or more.
   /// Whether each pass goes over all contours of the layer. Otherwise each contour gets all its
   /// passes before the next contour.
   bool passes_by_layer = false;

@@ -69,7 +69,7 @@ bool ends_at_a_tab(const LayerSettings& settings, unsigned tabs) {
   return settings.start == StartAt::kTab && tabs > 0;
 }
 
-/// Returns the number of tabs, reduced until they take less than half of the cut.
+/// Returns `tabs`, reduced until the tabs take less than half of the length of the cut.
 unsigned tabs_with_room(const MeasuredRow& loop, unsigned tabs, double gap_mm) {
   while (tabs > 0 && tabs * gap_mm >= 0.5 * loop.length()) --tabs;
   return tabs;

@@ -37,7 +37,7 @@ struct Leads {
                              const LayerSettings& settings,
                              double share);
 
-/// Returns whether both leads have free space: they keep clear of all parts.
+/// Returns whether both leads have free space, that is, keep their distance from all parts.
 [[nodiscard]] bool have_room(const Leads& leads, const LeadRoom& room);
 
 /// A point at which the cut of a closed loop or of a line may begin. It includes the points where

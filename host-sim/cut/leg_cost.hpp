@@ -42,7 +42,7 @@ class LegCost {
   struct Terms {
     cnc::order::CandidatePlaces places;
     std::span<const double> own;  ///< Own cost of each candidate; empty if there are no own costs.
-    /// Whether the leg to home costs nothing, because other cuts follow the last cut.
+    /// Whether the leg after the last cut costs nothing, because other cuts follow.
     bool is_free_end = false;
   };
 

@@ -199,8 +199,8 @@ void NarrowFinder::note_sets() {
   }
 }
 
-/// Returns whether a stretch only leads into a corner. The beam already reaches as far into a
-/// corner as it can.
+/// Returns whether a stretch only leads into a corner. It then needs no line, because the beam
+/// already reaches as far into the corner as it can.
 bool NarrowFinder::is_corner(const Narrow& narrow) const {
   const bool ends_free = is_free(narrow.to);
   if (is_free(narrow.from) == ends_free) return false;

@@ -163,7 +163,7 @@ std::vector<Place> RapidRouter::find_out(Try& t,
   }
   int searches = 0;
   const std::vector<RapidExit> exits = exits_of(area, from.place, legs.clearance_mm());
-  // A farther exit is on the other side of the piece, and would lead across it.
+  // A farther exit is on the other side of the piece. A rapid through it would cross the piece.
   const double farthest = kSlantedExit * exits.front().edge_mm + 2.0 * rules_.clearance_mm;
   for (const RapidExit& exit : exits) {
     if (exit.edge_mm > farthest) break;

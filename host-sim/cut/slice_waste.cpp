@@ -17,7 +17,8 @@ namespace {
 constexpr double kShortestSlice = 0.05;
 constexpr double kReachInKerfs = 10.0;
 
-/// Index of the areas inside closed lines that are cut. The waste of the sheet is outside of them.
+/// Index of the areas inside closed lines that are cut. The waste of the sheet is outside of these
+/// areas.
 class InsideOfCuts {
  public:
   InsideOfCuts(const CutPlan& plan, const drawing::Drawing& drawn, double cell_mm)

@@ -38,8 +38,8 @@ void SweptArea::add(const Place& centre, double radius_mm) {
   group.widest_mm = std::max(group.widest_mm, radius_mm);
 }
 
-/// Calls `visit` with the cell and the number of each group that may contain or nearly reach a
-/// point.
+/// Calls `visit` with the cell and the number of each group that may contain a point, or may be
+/// within kReachMm of it.
 template <typename Visit>
 void SweptArea::visit_groups(const Place& place, const Visit& visit) const {
   const double reach = widest_mm_ + kReachMm;

@@ -98,7 +98,8 @@ class TimelineMaker {
   }
 
   ControllerClock clock_;
-  Timeline timeline_;  ///< The steps. Before finish(), only rests have times, which begin at 0.
+  /// The steps. Before finish(), only the times of rests are known, which begin at 0.
+  Timeline timeline_;
   Place here_;
 };
 

@@ -22,7 +22,7 @@ void set_option(const Descriptor& socket, int level, int option, int value) {
   static_cast<void>(::setsockopt(socket.number(), level, option, &value, sizeof value));
 }
 
-// Returns the pointer to an address as a pointer to the general type that the socket interface
+// Returns the pointer to `address`, converted to the general type that the socket interface
 // requires.
 sockaddr* generic_address(sockaddr_in& address) { return reinterpret_cast<sockaddr*>(&address); }
 
