@@ -32,7 +32,7 @@ struct Corner {
 
 /// Result of the treatment of a cut's corners.
 struct CornerWork {
-  /// Number of outer corners without a loop, because it would come too near to a part.
+  /// Number of outer corners without a loop, because a loop would come too near to a part.
   std::size_t without_room = 0;
   std::optional<Place> first_without{};  ///< Point of the first outer corner without a loop.
   std::size_t smaller = 0;               ///< Number of loops with a radius below the required one.

@@ -25,8 +25,8 @@ struct FillRest {
   bool is_spur = false;  ///< Whether the line begins at a corner of a row of its level.
 };
 
-/// Long parts of an area that are not filled. No disc of the interval's diameter inside the area
-/// covers them, and each is longer than two intervals.
+/// Long parts of an area that are not filled, because no disc of the interval's diameter inside the
+/// area covers them. Each is longer than two intervals.
 struct ThinParts {
   std::size_t count = 0;
   double length_mm = 0.0;   ///< Total length of the thin parts.

@@ -95,7 +95,7 @@ struct LayerSettings {
   /// Time for which the beam rests with its power off at corners without a loop; 0: no rest.
   double corner_dwell_s = 0.0;
   double corner_angle_deg = 45.0;  ///< Least turn at which a point of the path is a corner.
-  /// Greatest gap of two neighbouring cuts that become one cut; 0: no cuts become one.
+  /// Greatest gap between two cuts that become one cut; 0: no cuts become one.
   double common_line_mm = 0.0;
   /// Greatest distance by which a cut along the middle of narrow waste may go into the edges of the
   /// waste. Narrow waste is narrower than the kerf. 0: narrow waste is not cut.
