@@ -31,8 +31,8 @@ struct Standing {
 
 /// Returns the lines that bring the machine to line `index`, at which the job begins, and the word
 /// to put in front of that line. Throws as approach_to() does.
-/// @param resume whether an interrupted job is resumed; the path up to the point where the beam went
-/// off is then driven with the beam off
+/// @param resume whether an interrupted job is resumed; the path up to the point where the beam
+/// went off is then driven with the beam off
 [[nodiscard]] Approach lines_before(const JobLines& job,
                                     std::size_t index,
                                     const Standing& standing,
