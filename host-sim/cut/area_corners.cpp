@@ -9,12 +9,13 @@
 namespace sim::cut {
 namespace {
 
-/// Greatest half of the angle by which a path turns at one corner, radians.
+/// Greatest value of half the angle by which a path turns at one corner, radians.
 constexpr double kLargestStep = 0.25 * std::numbers::pi;
 constexpr double kTinyTurn = 1.0e-3;  ///< Turns below this angle are smooth, radians.
-/// Sine of the tolerance of AreaCorner::is_touched_from(): about ten degrees.
+/// Sine of the angle by which AreaCorner::is_touched_from() is tolerant: about ten degrees.
 constexpr double kTouchingSine = 0.17;
-/// Least distance of corners from a large arc, as a share of its radius. It limits their number.
+/// Least distance between a large arc and the corners around it, as a share of the radius of the
+/// arc. A greater distance results in fewer corners.
 constexpr double kShareOfRadius = 0.001;
 
 Place turned_by(const Place& way, double angle) {
@@ -22,7 +23,7 @@ Place turned_by(const Place& way, double angle) {
           std::sin(angle) * way.x() + std::cos(angle) * way.y()};
 }
 
-/// Adds the corners between tangents of an arc that turns left.
+/// Adds the corners at which neighbouring tangents of an arc intersect. The arc turns left.
 /// @param tangent unit direction at the start of the arc, with the centre on the left
 void add_tangents(std::vector<AreaCorner>& corners,
                   const Place& centre,

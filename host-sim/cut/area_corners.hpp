@@ -14,16 +14,16 @@ struct AreaCorner {
   Place arriving{1.0, 0.0};
   Place leaving{1.0, 0.0};  ///< Unit direction in which the path leaves the corner.
 
-  /// Returns whether a straight leg between the corner and `other` may touch the area without
-  /// running into it. Returns false if `other` is outside of both sides of the corner by more than
-  /// about ten degrees.
+  /// Returns whether a straight leg between the corner and `other` may pass along the area. Returns
+  /// false if `other` is on the outer side of both sides of the polygon that meet at the corner, by
+  /// more than about ten degrees. The leg then runs into the corner instead of passing along it.
   [[nodiscard]] bool is_touched_from(const Place& other) const;
 };
 
-/// Returns the corners of a polygon around an area that keeps `distance_mm` from its skin. The
-/// sides of the polygon are tangents of arcs at this distance around the area's convex arcs and
-/// corners. The polygon has no corners at inner corners of the area, because no shortest path turns
-/// there.
+/// Returns the corners of a polygon around an area. The polygon keeps `distance_mm` from the skin
+/// of the area. Its sides are tangents of arcs at this distance around the convex arcs and corners
+/// of the area. The polygon has no corners at inner corners of the area, because no shortest path
+/// turns there.
 /// @param distance_mm above 0
 [[nodiscard]] std::vector<AreaCorner> corners_around(const LoopArea& area, double distance_mm);
 

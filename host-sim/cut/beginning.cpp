@@ -10,12 +10,12 @@
 namespace sim::cut {
 namespace {
 
-/// Greatest number of middles of strokes, and of ends of strokes, that are tried as the usual
-/// beginning with each length of the leads.
+/// Greatest number of middles of strokes that are tried as the usual beginning, for each length of
+/// the leads. Also the greatest number of ends of strokes that are tried.
 constexpr std::size_t kMaxUsualSpots = 64;
 constexpr std::array kLeadShares{1.0, 0.5, 0.25, 0.125};
 
-/// A point of the loop, as the distance along the loop, with the length of its stroke.
+/// A point of the loop: its distance along the loop, and the length of its stroke.
 struct Spot {
   double way_mm = 0.0;
   double room_mm = 0.0;
@@ -44,8 +44,8 @@ std::vector<Spot> usual_spots(const MeasuredRow& loop) {
   return middles;
 }
 
-/// Returns the distances along the loop to its corners. For an outer corner this is the middle of
-/// the arc around it.
+/// Returns the distances along the loop to its corners. The distance to an outer corner is the
+/// distance to the middle of the arc around the corner.
 std::vector<double> corner_spots(const MeasuredRow& loop,
                                  const LayerSettings& settings,
                                  double half_kerf_mm) {
@@ -81,7 +81,7 @@ std::vector<double> stroke_spots(const MeasuredRow& loop, std::size_t count) {
   return spots;
 }
 
-/// Reduces the points to `count`, taken evenly from the whole list.
+/// Reduces a longer list to `count` points that are evenly distributed over the list.
 void thin(std::vector<double>& spots, std::size_t count) {
   if (spots.size() <= count) return;
   std::vector<double> fewer;

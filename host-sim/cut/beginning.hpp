@@ -12,8 +12,8 @@ namespace sim::cut {
 struct BeginningWish {
   StartAt where = StartAt::kAny;
   std::size_t count = 16;  ///< Approximate number of beginnings. At least one is found.
-  /// Distance along the loop to the only permitted beginning, mm. Without a value, any is
-  /// permitted.
+  /// Distance along the loop to the only permitted beginning, mm. Without a value, every beginning
+  /// is permitted.
   std::optional<double> marked_mm{};
 };
 
@@ -24,10 +24,10 @@ struct BeginningWish {
                                         const LayerSettings& settings,
                                         const LeadRoom& room);
 
-/// Returns beginnings of a closed loop with the part on its left, at least one. All have leads with
-/// the same share of the set length: the greatest of the shares 1, 1/2, 1/4 and 1/8 for which any
-/// beginning has free space. The usual beginning comes first if its leads have this share. If no
-/// lead has free space, the beginnings have no leads.
+/// Returns beginnings of a closed loop with the part on its left, at least one. The leads of all
+/// beginnings have the same share of the set length. It is the greatest of the shares 1, 1/2, 1/4
+/// and 1/8 for which any beginning has free space. The usual beginning comes first if its leads
+/// have this share. If no lead has free space, the beginnings have no leads.
 [[nodiscard]] std::vector<Beginning> beginnings_of(const MeasuredRow& loop,
                                                    const LayerSettings& settings,
                                                    const LeadRoom& room,
@@ -42,8 +42,8 @@ struct BeginningWish {
 /// Returns both directions of an open line as beginnings, the direction in which it is drawn first.
 [[nodiscard]] std::vector<Beginning> beginnings_of_line(const MeasuredRow& line);
 
-/// Returns a copy of a beginning at another point of the loop. Does not check that its leads have
-/// free space there.
+/// Returns a copy of a beginning at another point of the loop. Does not check that the leads have
+/// free space at this point.
 /// @param way_mm distance along the loop to the new point
 [[nodiscard]] Beginning moved_to(const Beginning& beginning,
                                  const MeasuredRow& loop,

@@ -20,7 +20,7 @@ struct BurntPicture {
 
 /// Format of the rows of pictures in a program.
 struct PictureForm {
-  /// Whether all layers get one S word per line, also layers that do not require it.
+  /// Whether each line has at most one S word, also on layers whose settings do not require this.
   bool is_plain = false;
   unsigned decimals = 4;  ///< Decimals of printed positions.
 };
@@ -45,8 +45,9 @@ void keep_burnt_pictures(drawing::Drawing& drawn, const std::vector<LayerSetting
 /// the last picture.
 [[nodiscard]] OrderWish order_behind(const OrderWish& wish, const std::vector<Cut>& pictures);
 
-/// Inserts pictures before all cuts of a plan that was made with order_behind(). Adds the rapids to
-/// the pictures to the figures of this order, and of the orders for comparison.
+/// Inserts pictures before all cuts of a plan that was made with order_behind(). Adds the rapids
+/// that lead to the pictures to the figures of the order of `plan` and to those of the orders for
+/// comparison.
 /// @param from position of the head before the first picture
 void put_first(std::vector<Cut> pictures, const Place& from, CutPlan& plan);
 

@@ -16,7 +16,7 @@ class Clearance {
   /// The nearest stroke and its distance, as a search returns them.
   struct Nearest {
     double distance_mm = 0.0;
-    /// Owner of the nearest stroke, which is the argument of add().
+    /// Owner of the nearest stroke, as it was passed to add().
     std::size_t owner = 0;
     std::size_t looks = 0;           ///< Number of strokes that the search measured.
     const Stroke* stroke = nullptr;  ///< The nearest stroke; null if none is within reach.
@@ -37,10 +37,10 @@ class Clearance {
   /// Returns the nearest stroke. If no stroke is within reach, `distance_mm` is the reach and
   /// `owner` has no meaning.
   [[nodiscard]] Nearest nearest(const Place& place) const;
-  /// Returns the nearest stroke, and does so faster than the other overload if the point is near
-  /// the previous point. If several strokes of one owner are equally near, the overloads may return
-  /// different strokes.
-  /// @param last the result for the previous point
+  /// Returns the nearest stroke. This overload is faster than the other one if the point is near
+  /// the point of the previous search. If several strokes of one owner are equally near, the
+  /// overloads may return different strokes.
+  /// @param last result of the previous search
   [[nodiscard]] Nearest nearest(const Place& place, const Nearest& last) const;
 
   /// Returns the owners of all strokes whose boxes are within `mm` of the box of `stroke`, in no

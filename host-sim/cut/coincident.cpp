@@ -15,7 +15,7 @@ int depth_of(Side side) {
       return 2;
     case Side::kMark:
       return 1;
-    case Side::kFill:  // The fill engraves the area, however its outline is cut.
+    case Side::kFill:  // A filled area is engraved even if its outline is also cut.
     case Side::kImage:
     case Side::kSkip:
     case Side::kStart:

@@ -7,8 +7,8 @@
 
 namespace sim::cut {
 
-/// Returns the rank of a side by the depth of its cut: 3 for a cut through the sheet next to the
-/// line, 2 for a cut on the line, 1 for a mark, 0 for no cut.
+/// Returns the rank of a side by the depth of its cut: 3 for a cut next to the line, 2 for a cut on
+/// the line, 1 for an engraved line, 0 if the beam does not follow the line.
 [[nodiscard]] int depth_of(Side side);
 
 /// Selects one contour to be driven where contours on several layers lie on top of each other. A

@@ -18,8 +18,8 @@ std::invalid_argument refusal(const MaterialRecord& record, const std::string& r
       fmt::format("{}: {}; `kerfline kerf advise` lists what is permissible", record.name, reason));
 }
 
-/// Returns the powers for which the record has rows, in ascending order. Powers between them do not
-/// permit other speeds.
+/// Returns the powers for which the record has rows, in ascending order. Other powers need not be
+/// tried, because a power between two rows permits no other speeds.
 std::vector<std::uint32_t> powers_of(const OwnedKerfTable<double>& table) {
   std::vector<std::uint32_t> powers;
   for (const cnc::kerf::Band& band : table.bands) powers.push_back(band.power_mw);
@@ -29,7 +29,7 @@ std::vector<std::uint32_t> powers_of(const OwnedKerfTable<double>& table) {
 }
 
 /// Returns the lowest power that permits the required speed. Without a required speed, returns the
-/// lowest power that permits the highest speed. Returns 0 if no power does.
+/// lowest power that permits the highest speed. Returns 0 if no power permits the speed.
 std::uint32_t choose_power(const OwnedKerfTable<double>& table,
                            std::uint32_t thickness_um,
                            std::optional<std::uint32_t> speed_um_min,

@@ -26,9 +26,10 @@ struct Condition {
                                std::optional<std::uint32_t> speed_um_min,
                                std::uint32_t max_power_mw = cnc::kerf::kMaxPowerMw);
 
-/// Returns the condition for engraving a line. Without a given power or speed, it follows from the
-/// condition of a cut. The kerf is 0, because an engraved line has none.
-/// @param share engraving power over cutting power, 0 to 1, used if no power is given
+/// Returns the condition for engraving a line. A power or a speed that is not given is derived from
+/// the condition of a cut. The kerf is 0, because an engraved line has none.
+/// @param share ratio of the engraving power to the cutting power, 0 to 1; used if no power is
+/// given
 [[nodiscard]] Condition engraving(const Condition& cut,
                                   double share,
                                   std::optional<std::uint32_t> power_mw,

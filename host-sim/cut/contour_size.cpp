@@ -14,7 +14,8 @@ namespace {
 
 using drawing::Place;
 
-/// Share of a circle's radius by which a point may be outside and still count as in the circle.
+/// Distance by which a point may be outside of a circle and still count as inside, as a share of
+/// the radius of the circle.
 constexpr double kOnCircle = 1.0e-12;
 /// Arcs whose centres and radii agree within this distance belong to one circle, mm.
 constexpr double kSameCircleMm = 1.0e-6;
@@ -33,8 +34,8 @@ Circle around(const Place& a, const Place& b) {
   return {0.5 * (a + b), 0.5 * drawing::distance(a, b)};
 }
 
-/// Returns the circle through three points. If the points are on a line, returns the circle around
-/// the two that are farthest apart.
+/// Returns the circle through three points. If the points are on a line, returns the smallest
+/// circle around the two points that are farthest apart.
 Circle around(const Place& a, const Place& b, const Place& c) {
   const Place ab = b - a;
   const Place ac = c - a;
@@ -48,8 +49,8 @@ Circle around(const Place& a, const Place& b, const Place& c) {
   return {a + way, way.norm()};
 }
 
-/// Shuffles points in the same way on every machine. The search would take n³ steps for n points in
-/// the order of a curve.
+/// Shuffles points in the same way on every machine. Points in the order of a curve would make the
+/// search for the smallest circle take n³ steps for n points.
 void shuffle(std::vector<Place>& places) {
   std::uint64_t state = 1;
   for (std::size_t i = places.size(); i > 1; --i) {

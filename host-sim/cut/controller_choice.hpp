@@ -10,7 +10,7 @@
 namespace sim::cut {
 
 /// Returns the reason why a controller cannot compute the compensated path of a cut. The text is
-/// empty if there is no such reason, although the controller may still fail.
+/// empty if no reason is known. Even then, the controller may fail to compute the path.
 /// @param loops number of cuts of the same contour
 [[nodiscard]] std::string reason_against_controller(const UnbegunCut& cut,
                                                     bool is_hole,

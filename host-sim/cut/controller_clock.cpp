@@ -21,7 +21,8 @@ constexpr double kStartS = 1.5 * kLineS;
 /// Time for which the controller rests at each stop before it continues, s. It is a number of
 /// cycles, as measured on the simulated controller.
 constexpr double kStandstillS = 4.0e-3;
-/// Time by which the controller divides the plan into segments before it drives them, s.
+/// Time between the division of the plan into segments and the motion of these segments, s. The
+/// controller divides the plan ahead of the motion.
 constexpr double kAheadS = 0.020;
 
 Limits limits_of(const OrderWish& machine) {
@@ -66,7 +67,7 @@ void ControllerClock::move(const Stroke& path, double feed_mm_s, bool is_lit) {
   }
 }
 
-/// Appends an element to the path. If the path is full, it drives motion until there is free space.
+/// Appends an element to the path. If the path is full, drives motions until there is free space.
 void ControllerClock::put(const cnc::path::PathItem& item) {
   while (!path_.has_room()) {
     make_blocks();
@@ -90,7 +91,8 @@ void ControllerClock::make_blocks() {
     if (!block.ok()) continue;
     queue_.push(block.value(), piece->joint);
     double& left_s = left_s_[pushed_++ % left_s_.size()];
-    // No line is read while the queue is full.
+    // No line is read while the queue is full, so the next line is read when the plan leaves a
+    // block.
     read_s_ = std::max(read_s_, left_s);
     if (!queue_.at(queue_.size() - 1).from_rest) continue;
     while (queue_.size() > 1) CNC_ASSERT(drive());
@@ -98,12 +100,13 @@ void ControllerClock::make_blocks() {
   }
 }
 
-/// Follows the plan for one stretch and counts its time. Returns false if there is nothing to
-/// drive.
+/// Follows the plan for one stretch, and adds the time of the stretch to its motion. Returns false
+/// if there is nothing to drive.
 bool ControllerClock::drive() {
   if (plan_.at_end()) return false;
   const cnc::motion::SourceLine line = queue_.at(plan_.blocks_left()).line;
-  // Line numbers have 24 bits and repeat, so the motion is the newest one with this number.
+  // Line numbers have 24 bits, so they repeat. The driven motion is the newest motion with this
+  // number.
   constexpr std::size_t kLineNumbers = std::size_t{1} << 24U;
   const std::size_t newest = times_.size() - 1;
   const std::size_t motion = newest - (newest - line.number) % kLineNumbers;

@@ -31,7 +31,8 @@ class ControllerClock {
   /// @param feed_mm_s above 0, or 0 for a rapid
   /// @param is_lit whether the beam is on
   void move(const Stroke& path, double feed_mm_s, bool is_lit);
-  /// Stops the machine, as a dwell does. The planner does not know later motions before the stop.
+  /// Stops the machine, as a dwell does. Until the stop, the planner does not know the motions
+  /// after it.
   void rest();
   /// Stops the machine and returns the time of each motion since the last call, s, in the order in
   /// which the motions were added. The time that the window adds at a stop belongs to the last
@@ -56,7 +57,8 @@ class ControllerClock {
   WrittenPath written_;
   std::vector<double> times_{};  ///< Time of each motion, s.
   std::size_t last_ = 0;         ///< Number of the last motion that was driven.
-  bool in_chain_ = false;        ///< Whether a chain has begun whose window is not yet counted.
+  /// Whether a chain has begun whose window is not yet added to the times.
+  bool in_chain_ = false;
 
   // State from which the controller chooses a window. These times are seconds since the start of
   // the program.

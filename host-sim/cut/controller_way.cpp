@@ -25,7 +25,7 @@ std::vector<Stroke> edge_of(const std::vector<Stroke>& beam) {
 /// Returns the distance along the outline to its point nearest to `place`, which is half a kerf
 /// from the outline. Returns nothing if the nearest point is at the end of a stroke.
 std::optional<double> foot_of(const MeasuredRow& outline, const Place& place, double half_kerf) {
-  // Greatest distance of a point that is at the end of a stroke, mm.
+  // Distance from the end of a stroke within which a point counts as at this end, mm.
   constexpr double kAtAnEnd = 1.0e-3;
   for (std::size_t i = 0; i < outline.strokes().size(); ++i) {
     const Stroke& stroke = outline.strokes()[i];

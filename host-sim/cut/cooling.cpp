@@ -10,8 +10,9 @@
 namespace sim::cut {
 namespace {
 
-/// Number of the cuts next in order of which one may overtake the others. It is large enough to
-/// leave the hot neighbourhood, and small enough for a fast search.
+/// Number of next cuts in the order among which the search looks for a cut that may overtake the
+/// others. The number is large enough for a cut outside of the hot area, and small enough for a
+/// fast search.
 constexpr std::size_t kMaxOvertaken = 64;
 
 /// Follows a job, and keeps its time and the heat of its cuts.
@@ -87,8 +88,8 @@ class CoolOrder {
     return std::ranges::all_of(cut.after, [this](std::size_t before) { return is_done_[before]; });
   }
 
-  /// Returns the present position in the order of the cut that comes to position `i`: the ready cut
-  /// with the least sum of wait and detour.
+  /// Returns the present position in the order of the cut that should move to position `i`: of all
+  /// ready cuts, the cut with the smallest sum of wait and detour.
   [[nodiscard]] std::size_t best_at(std::size_t i) const {
     const Place& here = clock_.here();
     const auto cost_of = [&](std::size_t k) {

@@ -32,9 +32,10 @@ double turn_between(const Stroke& before, const Stroke& after) {
   return std::abs(std::atan2(drawing::cross(from, to), drawing::dot(from, to)));
 }
 
-/// Returns a loop past an outer corner. It goes straight on from the start of the arc around the
-/// corner, around to the right, and straight to the end of this arc. Both lines are tangential to
-/// the round part. They cross at the point where the path would have its corner without the arc.
+/// Returns a loop past an outer corner, where an arc goes around the corner. The loop goes straight
+/// on from the start of this arc, turns around to the right, and goes straight to the end of the
+/// arc. Both lines are tangential to the round part of the loop. They cross at the point where the
+/// path would have its corner without the arc.
 std::vector<Stroke> loop_past(const Stroke& arc, double radius_mm) {
   const double turn = sweep_of(arc);
   const double round_mm = length_of(arc) / turn;

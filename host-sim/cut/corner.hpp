@@ -13,8 +13,8 @@ namespace sim::cut {
 /// A point where the beam's path along a part turns sharply.
 struct Corner {
   std::size_t stroke =
-      /// Number of a stroke: at an outer corner the arc around it, at an inner corner the stroke
-      /// that begins there.
+      /// Number of the stroke at the corner. It is the arc around an outer corner, or the stroke
+      /// that begins at an inner corner.
       0;
   /// Whether the waste is on the outside of the turn. A loop may then have free space.
   bool is_outer = false;
@@ -32,7 +32,7 @@ struct Corner {
 
 /// Result of the treatment of a cut's corners.
 struct CornerWork {
-  /// Number of outer corners without a loop, because it would come too near to a part.
+  /// Number of outer corners without a loop, because a loop would come too near to a part.
   std::size_t without_room = 0;
   std::optional<Place> first_without{};  ///< Point of the first outer corner without a loop.
   std::size_t smaller = 0;               ///< Number of loops with a radius below the required one.
@@ -44,7 +44,7 @@ struct CornerWork {
 /// past an outer corner, turns around in the waste and comes back along the next edge. So the beam
 /// passes the corner of the part at speed. Where free space is lacking, the radius of the loop is
 /// reduced, at most to an eighth. At inner corners, and at outer corners without free space, the
-/// beam rests there with its power off for the dwell.
+/// beam rests with its power off for the time of the dwell.
 /// @param parts all drawn edges; every point of a loop is at least half the kerf from each of them
 CornerWork treat_corners(std::vector<Stroke>& strokes,
                          const LayerSettings& settings,

@@ -37,8 +37,8 @@ bool holds(const Extremes& outer, const Extremes& inner) {
          (outer.most - inner.most).minCoeff() >= 0.0;
 }
 
-/// Adds a frame around a crowd to `region` if the crowd has a hole without the outline around it.
-/// The frame is the material around the hole.
+/// Adds a frame around a crowd to `region` if the crowd contains a hole, but not the outline of the
+/// part that has this hole. The frame stands for the material of the part around the hole.
 /// @return whether a frame was added
 bool frame_holes(const std::vector<Outline>& outlines,
                  const std::vector<std::size_t>& crowd,

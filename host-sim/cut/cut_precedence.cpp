@@ -8,8 +8,8 @@
 namespace sim::cut {
 namespace {
 
-/// Returns the innermost contours around a contour whose cuts free the material inside them. Around
-/// an open contour there may be several, if it runs through them.
+/// Returns the innermost contours around a contour whose cuts free the material inside them. An
+/// open contour that runs through several contours may have several of them.
 std::set<std::size_t> freed_around(const drawing::Drawing& drawn,
                                    const std::vector<Outline>& outlines,
                                    std::size_t contour) {

@@ -28,8 +28,8 @@ class StrokeWriter {
 
   void go_to(const Place& place) { take(writer_.rapid(place), place); }
 
-  /// Writes the rapid before a cut, or after the last cut. If it is lifted, it is straight, and Z
-  /// returns to 0 at its end, where the beam cuts.
+  /// Writes the rapid before a cut or after the last cut. A lifted rapid is straight. Z returns to
+  /// 0 at its end, because the beam cuts at this height.
   void go_along(const std::vector<Place>& way, double lift_mm) {
     const std::string before = std::exchange(text_, {});
     for (std::size_t i = 1; i < way.size(); ++i) go_to(way[i]);
@@ -102,7 +102,8 @@ class StrokeWriter {
     return static_cast<std::uint32_t>(std::lround(1000.0 * value));
   }
 
-  /// Returns the feed at which a pierce takes its set time, at most the feed of the layer, µm/min.
+  /// Returns the feed, µm/min, at which a pierce takes its set time, but at most the feed of the
+  /// layer.
   static std::uint32_t pierce_feed(const Stroke& stroke, const LayerPlan& layer) {
     const double feed = std::min(from_thousandths(layer.condition.cut.speed_um_min),
                                  60.0 * length_of(stroke) / layer.settings.pierce_s);
@@ -125,7 +126,7 @@ class StrokeWriter {
     const Written written = writer_.cut(stroke.from, stroke.to, stroke.bulge);
     if (written.ok() || written.error() != WriterError::kTooFlat) return take(written, stroke.to);
     // The arc is so flat that its centre is out of range. It is written as lines that deviate from
-    // it by at most half of the last digit.
+    // the arc by at most half of the last printed digit.
     const double height = 0.5 * std::abs(stroke.bulge) * drawing::distance(stroke.from, stroke.to);
     const double lines = std::ceil(std::sqrt(2.0 * height / digit_mm_));
     for (double i = 0.0; i < lines; i += 1.0) {
@@ -200,7 +201,7 @@ std::string program_of(const CutPlan& plan,
   for (const std::string& line : heading) text += comment_line(line);
   text += "G21 G90 G17 G94 G54\n";
   if (beam.kerf_table && !plan.cuts.empty()) {
-    // All cuts of a job have the same thickness.
+    // All cuts of a job are made in one sheet, so the first cut has the thickness of all cuts.
     const Condition& any = plan.plan_of(plan.cuts.front()).condition;
     text +=
         fmt::format("M190 P{} Q{:g}\n", *beam.kerf_table, from_thousandths(any.cut.thickness_um));

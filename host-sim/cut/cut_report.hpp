@@ -21,7 +21,7 @@ struct CutFigures {
   double corner_loop_mm = 0.0;    ///< Length that loops at corners add to the cuts.
   std::size_t corner_dwells = 0;  ///< Number of corners at which the beam makes a dwell.
   double corner_dwell_s = 0.0;    ///< Total time of the dwells at corners.
-  std::size_t pictures = 0;       ///< Number of burnt pictures, where each pass counts.
+  std::size_t pictures = 0;       ///< Number of burnt pictures; each pass counts as one.
   double burnt_mm = 0.0;          ///< Burnt length of the rows of all pictures.
   double job_time_s = 0.0;        ///< Time of the job, as simulated or as predicted.
   /// Whether the job was simulated. The time of long jobs is only predicted.
@@ -40,7 +40,7 @@ struct CutJob {
   /// Notes about the kerf (see kerf_notes()), and about assumptions and the machine.
   std::vector<std::string> notes{};
   std::vector<ProgramDigest> digests{};  ///< Digests of the inputs from which the job was made.
-  /// Whether the user gave the kerf. Otherwise it is that of the record.
+  /// Whether the user gave the kerf. Otherwise the kerf is that of the material record.
   bool is_kerf_given = false;
   /// Line about the position of the drawing on the machine; empty if the drawing was not moved.
   std::string placing{};

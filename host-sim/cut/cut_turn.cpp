@@ -13,8 +13,8 @@ std::vector<CutTurn> turns_of(const std::vector<UnbegunCut>& cuts, Grouping grou
   std::vector<CutTurn> turns;
   turns.reserve(cuts.size());
   for (const UnbegunCut& cut : cuts) turns.push_back(wished_turn(cut, grouping));
-  // Raises turns along chains of cuts until no turn changes. So the order in the drawing does not
-  // matter.
+  // Raises turns along chains of cuts until no turn changes. So the result does not depend on the
+  // order of the cuts in the drawing.
   for (bool is_changed = true; is_changed;) {
     is_changed = false;
     for (std::size_t i = 0; i < cuts.size(); ++i) {

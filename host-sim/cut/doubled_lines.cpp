@@ -68,7 +68,7 @@ class DoubledLines {
     for (const SharedStretch& stretch : doubled) length_mm_ += stretch.to_mm - stretch.from_mm;
     auto rests =
         outlines_[contour].is_closed ? rests_between(path, doubled) : rests_of_open(path, doubled);
-    // The beam at the ends of the other line covers so short a rest.
+    // A rest this short is covered by the beam at the ends of the other line.
     std::erase_if(rests, [](const auto& rest) { return length_of(rest) < 2.0 * kTouchesMm; });
     left_.rests[contour] = std::move(rests);
   }

@@ -25,7 +25,7 @@ struct LeftLines {
 };
 
 /// Leaves out stretches of lines that are cut or engraved on the line and that run along another
-/// line. The other line may run in either direction, within kTouchesMm. An edge that is cut next to
+/// line, at a distance of at most kTouchesMm and in either direction. An edge that is cut next to
 /// its line has precedence over a line that is cut, and this over a line that is engraved. Among
 /// lines of equal precedence, the first one drawn stays. A line that runs back along itself is
 /// driven once.

@@ -17,7 +17,7 @@ struct DrawnStrokes {
 
 /// Returns the strokes of a contour. Lines stay lines, arcs become arcs of at most half a turn, and
 /// other curves become arcs within the tolerance.
-/// @pre as arcs_of() requires
+/// @pre the same as for arcs_of()
 [[nodiscard]] DrawnStrokes strokes_of(const drawing::DrawnContour& contour,
                                       const OutlineOptions& curves);
 /// Returns the same strokes as strokes_of() without `known`, but fits arcs to a repeated row only

@@ -21,7 +21,7 @@ namespace {
 /// Distance between the points of drawn edges that are checked, mm.
 constexpr double kEdgeEvery = 0.02;
 /// Greatest deviation of the chords that replace drawn edges, mm. Drawn edges are the curves of the
-/// drawing itself, not the arcs that are cut.
+/// drawing, not the arcs that replace these curves in the cut.
 constexpr double kEdgeChord = 1.0e-5;
 /// Distance within which the plan's beam touches an edge, mm. For a curve that is cut as arcs, the
 /// tolerance of these arcs is added. For a line that two parts share, the line's own tolerance is
@@ -31,8 +31,8 @@ constexpr double kNoLimit = std::numeric_limits<double>::infinity();
 /// Distance from the edge of the beam within which drawn edges count as cut under unknown
 /// conditions, mm. It applies where no test cut covers the condition of the beam.
 constexpr double kAroundUnknown = 0.1;
-/// Distance from a pierce within which cuts are not swept, mm. The beam is wider while it pierces,
-/// and shortly after.
+/// Distance from a pierce within which cuts do not count in the swept area, mm. The beam is wider
+/// during a pierce and shortly afterwards.
 constexpr double kAroundPierce = 0.1;
 
 cnc::AxisArray<double> scales_of(const cnc::Settings& settings) {
@@ -43,8 +43,9 @@ cnc::AxisArray<double> scales_of(const cnc::Settings& settings) {
   return steps;
 }
 
-/// Returns the kerf at a heat input, from the laws of the rows around the thickness. Test cuts need
-/// not cover the heat input. Returns nothing if one of these rows was measured and has no law.
+/// Returns the kerf at a heat input, from the laws of the rows around the thickness. The heat input
+/// may be beyond all test cuts. Returns nothing if one of these rows has a measured kerf instead of
+/// a law.
 std::optional<double> kerf_of_heat(const cnc::kerf::TableView<double>& table,
                                    std::uint32_t thickness_um,
                                    double heat) {
@@ -81,7 +82,8 @@ class EdgeCheck::Sweep final : public TraceSink {
                 sweep({place[0], place[1]});
               }} {
     lay_out_plan();
-    // With kerf control, the motors leave the path along which `energy_` measures.
+    // With kerf control, the motors leave the planned path, along which `energy_` measures. So
+    // `heat_` measures instead.
     if (simulator.settings().get(cnc::setting::kKerfControl) != 0.0F) {
       simulator.add_sink(heat_);
       return;
@@ -116,7 +118,8 @@ class EdgeCheck::Sweep final : public TraceSink {
     nearest_ = strokes_.nearest(here, nearest_);
     const LayerPlan& layer = job_.plan.plan_of(job_.plan.cuts[nearest_.owner]);
     if (is_engraved(layer.settings.side)) {
-      // Nothing is cut through here. The next cut has a heat input of its own.
+      // The beam does not cut through the sheet here. The next cut starts with an unknown heat
+      // input.
       joules_per_mm_ = 0.0;
       return;
     }

@@ -18,17 +18,17 @@ struct EdgePeak {
   Place place{0.0, 0.0};
 };
 
-/// A checked point of a drawn edge, with the width that was cut off the part there. The points form
-/// a row along the edges.
+/// A checked point of a drawn edge, with the width that was cut off the part there. A list of these
+/// points follows the drawn edges.
 struct EdgePlace {
   Place place{0.0, 0.0};
   double mm = 0.0;
   bool reached = false;  ///< Whether the beam of the plan touches this point.
-  /// Whether the edge leads from the previous point of the row to this point.
+  /// Whether the edge connects the previous point of the list with this point.
   bool joins = false;
 };
 
-/// Accuracy of the parts: distances of the edge that the beam leaves from the drawn edge. A
+/// Accuracy of the parts, as distances between the edge that the beam leaves and the drawn edge. A
 /// positive distance is cut off the part, a negative one is left on it.
 struct EdgeFigures {
   /// Greatest width that is cut off the part, at the points that the plan's beam touches.
@@ -40,10 +40,11 @@ struct EdgeFigures {
   /// Number of checked points that the plan's beam touches; 0: nothing was cut.
   std::size_t places = 0;
   double untouched_mm = 0.0;  ///< Length of drawn edges that the plan's beam does not touch.
-  /// Greatest distance between the actual edge and the edge that the plan's path and kerf would
-  /// leave. It includes inner corners.
+  /// Greatest distance between the actual edge and the edge that the path and the kerf of the plan
+  /// would leave. Inner corners count, too.
   EdgePeak max_off_model{};
-  /// The same distance, only at points that the beam reaches under conditions that test cuts cover.
+  /// As max_off_model, but only at points that the beam reaches under conditions that test cuts
+  /// cover.
   EdgePeak max_off_known{};
   /// Length of drawn edges that the beam reaches under conditions that no test cut covers.
   double unknown_mm = 0.0;

@@ -93,7 +93,8 @@ class PathDivider {
   /// Passages of each contour, in their order along the contour.
   std::map<std::size_t, std::vector<Passage>> passages_;
   std::vector<FreeStretch> rests_;
-  std::vector<std::vector<Run>> runs_;  ///< Runs on each path of `rows_`.
+  /// For each path in `rows_`, the runs into which it is divided.
+  std::vector<std::vector<Run>> runs_;
 };
 
 /// Records the free stretches of an outline, each between two of its shared edges.
@@ -140,12 +141,13 @@ std::optional<std::vector<Stroke>> PathDivider::path_of(const std::vector<Passag
   return path;
 }
 
-/// Appends the path along a free stretch, at the offset from the outline, with the straight lines
-/// to it. Returns false if there is no such path.
+/// Appends the path along a free stretch, at the offset from the outline, and the straight lines
+/// that connect the path with the nodes at both ends. Returns false if there is no such path.
 bool PathDivider::add_run(const FreeStretch& rest, std::vector<Stroke>& path) {
   if (!rest.first || !rest.last || rest.first->loop != rest.last->loop) return false;
   path.push_back({shared_.nodes[rest.from], rest.first->place});
-  // The marks of both ends of a small step may be the same inner corner of a path.
+  // Both ends of a short free stretch, such as a small step, may have their marks at the same inner
+  // corner of a path.
   const bool is_step = std::abs(rest.first->way_mm - rest.last->way_mm) <= kSameMark &&
                        rest.length_mm <= kLongestConnector * half_;
   if (!is_step) {
@@ -177,8 +179,8 @@ bool PathDivider::is_beside(std::size_t contour, const std::vector<Stroke>& run)
   });
 }
 
-/// Returns whether the runs on each divided path cover it exactly once: each run ends where the
-/// next one begins.
+/// Returns whether the runs cover each divided path exactly once: each run ends where the next run
+/// begins.
 bool PathDivider::are_divided_once() {
   for (std::vector<Run>& runs : runs_) {
     std::ranges::sort(runs, {}, &Run::from_mm);

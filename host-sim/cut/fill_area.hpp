@@ -30,9 +30,9 @@ inline constexpr std::size_t kMaxFillStrokes = 4'000'000;
                                   double angle_deg,
                                   const cnc::order::RapidLimits& limits);
 
-/// Returns groups of contours whose boxes meet, directly or through other boxes of the group.
-/// Different groups can be filled one after the other. Groups, and the numbers in them, are in
-/// ascending order.
+/// Returns groups of contours whose bounding boxes intersect, directly or through other boxes of
+/// the group. Different groups can be filled one after the other. Groups, and the numbers in them,
+/// are in ascending order.
 /// @param outlines strokes of each contour, none of them empty
 [[nodiscard]] std::vector<std::vector<std::size_t>> groups_by_box(
     const std::vector<std::vector<Stroke>>& outlines);

@@ -69,8 +69,9 @@ class Level {
     return true;
   }
 
-  /// A path that ends near a row and is driven as a detour from it. Where the row passes the target
-  /// point, the beam goes to the start of the path, along it, and back to this point.
+  /// A path that ends near a row and is driven as a detour from this row. At the target point on
+  /// the row, the beam leaves the row, goes to the start of the path, and follows the path back to
+  /// the target point.
   struct Detour {
     On target{};
     std::vector<Stroke> path{};
@@ -103,8 +104,8 @@ class Level {
     const Detour* detour = nullptr;
   };
 
-  /// Returns the share of the length of its stroke at which a point is. A share near 0 or 1 becomes
-  /// exactly 0 or 1.
+  /// Returns the position of a point on its stroke, as a share of the length of the stroke. A share
+  /// near 0 or 1 becomes exactly 0 or 1.
   [[nodiscard]] double share_of(const On& on) const {
     constexpr double kAtEnd = 1.0e-9;
     const double share = nearest_share(rows_[on.row][on.stroke], on.place);
@@ -192,14 +193,16 @@ class ChainMaker {
     }
     for (std::size_t level = levels_.size() + 1; level-- > 0;) {
       if (level < levels_.size()) drive_level(level);
-      // A line of this level is between this level and the next level outside.
+      // The lines of this level follow, because they are between this level and the next level
+      // outside.
       for (const FillRest* line : lines[level]) drive_line(*line, level);
     }
     return std::move(paths_);
   }
 
  private:
-  /// Drives all rows of a level. Paths that ended next to a row continue along it.
+  /// Drives all rows of a level. A path that ended next to a row of this level continues along the
+  /// row.
   void drive_level(std::size_t number) {
     Level& level = *levels_[number];
     std::vector<std::vector<Level::Detour>> arriving(level.size());
@@ -230,8 +233,8 @@ class ChainMaker {
     return drawing::distance(path.path.front().from, path.target.place);
   }
 
-  /// Removes and returns one of the paths that arrive at a row: the path whose beginning is
-  /// farthest from its target. If none arrives, returns an empty path with the target `begin`.
+  /// Removes and returns the path, among those that arrive at a row, whose beginning is farthest
+  /// from its target. If no path arrives, returns an empty path with the target `begin`.
   static Level::Detour farthest_of(std::vector<Level::Detour>& arriving, const Level::On& begin) {
     if (arriving.empty()) return {.target = begin};
     const auto farthest = std::ranges::max_element(arriving, {}, way_back);

@@ -38,7 +38,7 @@ FillRows rows_of(const Contour& contour) {
   return rows;
 }
 
-/// Returns the rows of each level, which result from moving the edge of an area inwards. Returns
+/// Returns the rows of each level. They result from moving the edge of an area inwards. Returns
 /// nothing if there would be too many levels or strokes.
 std::optional<std::vector<FillRows>> rows_within(const Contour& area, double interval_mm) {
   std::vector<FillRows> levels;

@@ -88,8 +88,8 @@ class RestFinder {
 
  private:
   /// Returns the number of the band of a radius: the number of whole half intervals in the radius.
-  /// A radius that exceeds a limit only by rounding, kMinRowWidth of the interval, does not reach
-  /// the limit.
+  /// If a radius exceeds a limit by no more than rounding, kMinRowWidth of the interval, it belongs
+  /// to the band below the limit.
   [[nodiscard]] std::size_t band_of(double radius) const {
     return static_cast<std::size_t>(std::max(radius - kMinRowWidth * interval_, 0.0) / half_);
   }
@@ -108,8 +108,8 @@ class RestFinder {
       if (is_begun && band != stretch.band) {
         const AxisPoint begin = from;
         const bool rises = band > stretch.band;
-        // The last point ends this stretch and begins the next one. In the lower of the two bands,
-        // it is at the upper limit.
+        // The last point ends this stretch and begins the next one. It is at the upper limit of the
+        // lower of the two bands.
         stretch.to.kind = kind_of_limit(stretch.band, rises);
         take(std::exchange(stretch, {.points = {begin}, .ways = {0.0}}));
         stretch.from.kind = kind_of_limit(band, !rises);

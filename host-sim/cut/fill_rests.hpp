@@ -19,14 +19,14 @@ inline constexpr double kMinRowWidth = 1.0e-3;
 /// A line between rows along an outline. The beam along the line covers a gap that the rows leave.
 struct FillRest {
   std::vector<Place> places{};  ///< Points of the line, at least two.
-  /// Level of the line. The line is between the rows of this level and the rows of the level below,
-  /// which are nearer to the edge.
+  /// Level of the line. The line is between the rows of this level and the rows of the next lower
+  /// level, which are nearer to the edge.
   std::size_t level = 0;
   bool is_spur = false;  ///< Whether the line begins at a corner of a row of its level.
 };
 
-/// Long parts of an area that are not filled. No disc of the interval's diameter inside the area
-/// covers them, and each is longer than two intervals.
+/// Long parts of an area that are not filled, because no disc of the interval's diameter inside the
+/// area covers them. Each is longer than two intervals.
 struct ThinParts {
   std::size_t count = 0;
   double length_mm = 0.0;   ///< Total length of the thin parts.

@@ -91,8 +91,8 @@ void CutFinder::cut_beside(std::size_t i, const PathBeside& path) {
   append_faults(work_.plan.faults, path.gouges);
 }
 
-/// Reports an outline that is narrower than the kerf. A gap between contours that cross is not a
-/// slot that the user drew, so it only gets a warning.
+/// Reports an outline that is narrower than the kerf. A gap between contours that cross only gets a
+/// warning, because the user did not draw it as a slot.
 void CutFinder::vanish(std::size_t i) {
   drawing::Fault fault{FaultKind::kTooSmall,
                        work_.drawn.contours[i].entity,

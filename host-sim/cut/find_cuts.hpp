@@ -9,12 +9,12 @@
 namespace sim::cut {
 
 /// Appends the cuts of all contours to the plan, in the order of the drawing and without their
-/// beginnings: at half a kerf from edges, along lines, and across the areas that are filled. Faults
-/// and warnings are appended, too.
-/// @param work has the outlines and the prepared edges
+/// beginnings. The cuts run at half a kerf from edges, along lines, and across the areas that are
+/// filled. Faults and warnings are appended, too.
+/// @param work plan, with the outlines and the prepared edges
 /// @param sides side of each contour
-/// @param left_lines what is left of lines that other cuts have, too
-/// @param wish its limits of the machine bound the overscan of a fill
+/// @param left_lines rests of the lines that partly run along other lines; see without_doubled()
+/// @param wish limits of the machine, which determine the overscan of a fill
 void find_cuts(PlanWork& work,
                const std::vector<Side>& sides,
                const LeftLines& left_lines,

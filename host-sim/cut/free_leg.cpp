@@ -56,7 +56,8 @@ std::optional<std::uint32_t> FreeLegs::blocker(const Place& from,
                                                const RapidEnd* end,
                                                std::optional<std::uint32_t> but) const {
   std::optional<std::uint32_t> found;
-  // If an end is nearer to an area than this, its distance is only rounding.
+  // An end that is nearer to an area than `least` counts as on the edge of the area, because of
+  // rounding.
   const double least = depth_mm_;
   constexpr double kSlack = 0.999;
   const auto is_blocked = [&](std::uint32_t number, const LoopArea& area) {

@@ -12,8 +12,8 @@ namespace sim::cut {
 /// An end of a rapid. A cut fixes its position, so areas may be nearer to it than the clearance.
 struct RapidEnd {
   Place place{0.0, 0.0};
-  /// Numbers of the areas nearer than the clearance, each with the distance of the end from its
-  /// skin, mm. The distance is negative inside the area.
+  /// Areas that are nearer to the end than the clearance: the number of the area, and the distance
+  /// of the end from its skin, mm. The distance is negative inside the area.
   std::vector<std::pair<std::uint32_t, double>> near{};
 };
 

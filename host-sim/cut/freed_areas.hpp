@@ -36,8 +36,8 @@ class FreedAreas {
   bool visit_near(const Box& box, Visit&& visit) const;
 
   /// Calls `visit(number, area)` once for each area whose box intersects the box around a segment,
-  /// extended by `mm`. The calls are approximately in the order along the segment. They end when
-  /// one returns true. Returns whether a call returned true.
+  /// extended by `mm`. The order of the calls is approximately the order along the segment. The
+  /// calls end when a call returns true. Returns whether a call returned true.
   template <typename Visit>
   bool visit_along(const Place& from, const Place& to, double mm, Visit&& visit) const;
 

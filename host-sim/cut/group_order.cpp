@@ -170,8 +170,9 @@ GroupResult GroupProblem::result_of(const order::OrderResult& result) const {
 }
 
 GroupResult GroupProblem::solve(const order::OrderProgress& progress) {
-  constexpr std::size_t kMaxProven = 13;  // Greatest number of cuts for which a proof costs little.
-  constexpr double kTurningShare = 0.6;   // Share of the search that solves the symmetric problem.
+  // Greatest number of cuts for which a proof of the best order takes little time.
+  constexpr std::size_t kMaxProven = 13;
+  constexpr double kTurningShare = 0.6;  // Share of the search that solves the symmetric problem.
   order::OrderOptions options;
   options.method = task_.method;
   options.seconds = task_.seconds;
@@ -201,8 +202,8 @@ GroupResult GroupProblem::solve(const order::OrderProgress& progress) {
 }  // namespace
 
 std::uint64_t usual_steps(std::size_t cuts, std::size_t candidates) {
-  // Number of legs that one step compares. In a small group, all cuts choose their candidates
-  // again. In a larger group, only the nearby cuts do.
+  // Number of legs that one step compares. In a small group, all cuts choose their candidates again
+  // in each step. In a larger group, only the nearby cuts choose again.
   const double of_a_cut = static_cast<double>(candidates) / static_cast<double>(cuts);
   constexpr double kFewCuts = 64.0;  // Same value as in cnc::order::Search.
   const double count = static_cast<double>(cuts);

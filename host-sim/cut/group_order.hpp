@@ -18,8 +18,8 @@ struct GroupTask {
   std::optional<Place> to{};
   std::uint64_t seed = 1;
   std::optional<double> seconds{};
-  /// Number of steps of the search, instead of usual_steps(). With it there is no proof. If
-  /// `seconds` has a value, the number is ignored.
+  /// Number of steps of the search, instead of usual_steps(). If it is given, the order is not
+  /// proven. The number is ignored if `seconds` has a value.
   std::optional<std::uint64_t> steps{};
   /// Order of the same cuts with which a search begins, with beginnings from their lists. It may be
   /// empty.
@@ -31,7 +31,7 @@ struct GroupResult {
   bool is_proven = false;
 };
 
-/// Returns the number of steps of a search that is not bounded by time. They take about a second
+/// Returns the number of steps of a search without a limit of time. These steps take about a second
 /// for 1,000 cuts, and at most about 20 s.
 /// @param candidates number of beginnings of all cuts
 [[nodiscard]] std::uint64_t usual_steps(std::size_t cuts, std::size_t candidates);

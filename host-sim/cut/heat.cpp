@@ -5,7 +5,7 @@
 namespace sim::cut {
 namespace {
 
-/// Age of a pierce, in fading times, after which its heat is no longer visible.
+/// Age of a pierce, in multiples of kHeatFadesInS, after which its heat is no longer visible.
 constexpr double kMaxFadings = 5.0;
 
 bool is_pierced(const Cut& cut) { return cut.strokes.front().purpose != Purpose::kLink; }

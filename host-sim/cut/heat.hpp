@@ -6,8 +6,8 @@
 
 namespace sim::cut {
 
-/// Time and distance after which the heat of a pierce has fallen to 1/e. They were chosen for
-/// pictures, and show where a sheet of a few millimetres gets warm. They are not measured on any
+/// Time and distance after which the heat of a pierce has fallen to 1/e. The values are chosen for
+/// pictures that show where a sheet of a few millimetres gets warm. They are not measured on any
 /// material.
 inline constexpr double kHeatFadesInS = 10.0;
 inline constexpr double kHeatFadesInMm = 10.0;

@@ -37,7 +37,7 @@ double HeatMap::cool_from(const Place& place, double now_s) const {
       const std::vector<Spot>& spots = cell->second;
       for (std::size_t i = spots.size(); i-- > 0;) {
         const double cool = spots[i].time_s + lasts_s_;
-        // The spots before this one are older, so they are cool even earlier.
+        // The earlier spots of the cell are older, so they are cool even earlier.
         if (cool <= std::max(now_s, from)) break;
         if (drawing::distance(spots[i].place, place) < reach_mm_) from = cool;
       }

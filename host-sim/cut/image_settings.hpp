@@ -29,14 +29,14 @@ struct PowerWish {
 
 /// Settings by which a layer's pictures are burnt. Interval and overscan are in FillSettings.
 struct ImageSettings {
-  std::optional<double> pixel_mm{};  ///< Width of a pixel; nothing: that of the interval.
+  std::optional<double> pixel_mm{};  ///< Width of a pixel; without a value, it equals the interval.
   /// Power of the lightest grey; 0 if both members are empty.
   PowerWish min_power{};
   engrave::Shading shading = engrave::Shading::kGrey;
   double gamma = 1.0;  ///< Exponent of the darkness; a value above 1 makes the picture lighter.
   bool is_inverted = false;
   bool is_one_way = false;  ///< Whether all rows are driven to the right.
-  bool is_plain = false;    ///< Whether lines have one S word each, as any Grbl reads it.
+  bool is_plain = false;    ///< Whether each line has at most one S word, as every Grbl requires.
   /// Distance by which X is shifted in rows that are driven to the left.
   double reverse_shift_mm = 0.0;
   bool operator==(const ImageSettings&) const = default;

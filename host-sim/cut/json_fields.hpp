@@ -8,16 +8,16 @@
 namespace sim::cut {
 
 /// Returns the document of a JSON file. Throws std::invalid_argument with file, line and column if
-/// the text is not JSON. Throws it, too, if the document is not an object in which the key `mark`
-/// has the value 1.
+/// the text is not JSON. Also throws std::invalid_argument if the document is not an object in
+/// which the key `mark` has the value 1.
 /// @param kind name for files of this kind in messages, such as `machine profile`
 [[nodiscard]] nlohmann::ordered_json marked_json(const std::string& text,
                                                  const std::string& file,
                                                  const char* mark,
                                                  const char* kind);
 
-/// Reads the fields of one JSON object. Refuses a faulty field by a std::invalid_argument with the
-/// text `FILE: /pointer: reason; remedy`.
+/// Reads the fields of one JSON object. Refuses a faulty field: throws std::invalid_argument with
+/// the text `FILE: /pointer: reason; remedy`.
 class JsonFields {
  public:
   /// Refuses keys of `object` that are not in `keys`. The message names the most similar valid key.

@@ -24,8 +24,8 @@ constexpr double kLookForGougesEvery = 0.01;
 /// Distance between the points of an outline that are checked for uncut stretches, mm.
 constexpr double kLookForRestsEvery = 0.05;
 
-/// The area from which the beam removes material along paths. A check begins with the stroke that
-/// was nearest to the previous point, because it is usually near the next point, too.
+/// The area from which the beam removes material along paths. A check first tries the stroke that
+/// was nearest to the previous point, because this stroke is usually near the next point, too.
 class Covering {
  public:
   /// Makes the area along `paths`, which must outlive this object.
@@ -46,7 +46,8 @@ class Covering {
   /// @pre spare_at() returned 0 or more for the point at `share`
   [[nodiscard]] bool holds_rest_of(const Stroke& stroke, double share) const {
     if (stroke.bulge == 0.0 && last_->bulge == 0.0) {
-      // Along a line, the distance from another line is a convex function, so its end decides.
+      // Along a line, the distance from another line is a convex function. So the distance at the
+      // end decides.
       return distance_to(*last_, stroke.to) <= reach_mm_;
     }
     return stroke.bulge * last_->bulge > 0.0 && holds_rest_of_arc(stroke, share);
@@ -60,9 +61,9 @@ class Covering {
   const Stroke* last_ = nullptr;
 };
 
-/// Returns whether the rest of an arc is within reach of the paths' arc `last_`. If both arcs have
-/// nearly the same centre, their distance is the difference of the radii. It is larger only where
-/// the first arc extends beyond the ends of `last_`.
+/// Returns whether the rest of an arc after `share` is within reach of the arc `last_` of the
+/// paths. If both arcs have nearly the same centre, their distance is the difference of the radii.
+/// The distance is larger only where the rest extends beyond the ends of `last_`.
 bool Covering::holds_rest_of_arc(const Stroke& stroke, double share) const {
   constexpr double kAheadOfStart = 0.25 * std::numbers::pi;
   const Place centre = arc_centre(*last_);
@@ -185,8 +186,8 @@ std::vector<Rest> rests_along(const std::vector<Stroke>& outline,
       if (spare >= 0.0) {
         end_rest();
         if (covering.holds_rest_of(stroke, static_cast<double>(k) / looks)) break;
-        // Points of the outline that are nearer than `spare` to this point are within the kerf of a
-        // path, too.
+        // Points of the outline at less than `spare` from this point are within the kerf of a path,
+        // too. So they are skipped.
         k += static_cast<int>(spare * looks / length);
       } else {
         rest.push_back(place);

@@ -11,8 +11,8 @@
 
 namespace sim::cut {
 
-/// Returns a fault if the path of a cut takes something off a part; nothing otherwise. The fault
-/// names the point where the path takes off most.
+/// Returns a fault if the path of a cut cuts into a part; nothing otherwise. The fault names the
+/// point where the path cuts deepest.
 /// @param contour number of the contour in the drawing
 /// @param edges all drawn edges, each with the number of its contour
 [[nodiscard]] std::optional<drawing::Fault> gouge_of(const drawing::Drawing& drawn,
@@ -21,9 +21,9 @@ namespace sim::cut {
                                                      const Clearance& edges,
                                                      double half_kerf_mm);
 
-/// Returns a fault if a part lies against another part, edge to edge; nothing otherwise. No cut
-/// between such parts leaves both at their size. The fault names the middle of the longest edge of
-/// this kind.
+/// Returns a fault if a part lies against another part, edge to edge; nothing otherwise. A cut
+/// between such parts makes at least one of them too small. The fault names the middle of the
+/// longest edge along which parts lie against each other.
 /// @param contour number of the contour in the drawing
 /// @param outlines outline of each contour
 /// @param edges all drawn edges, each with the number of its contour

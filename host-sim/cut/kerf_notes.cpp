@@ -17,7 +17,8 @@ const char* unit_option(cnc::kerf::HeatUnit unit) {
   return unit == cnc::kerf::HeatUnit::kJoulesPerMillimetre ? "J/mm" : "printed";
 }
 
-/// Adds a note for each kerf that would be different by the record with the other unit of Q.
+/// Adds a note for each kerf that differs from the kerf according to `other`, the record with the
+/// other unit of Q.
 void add_other_unit(const MaterialRecord& record,
                     const MaterialRecord& other,
                     const std::vector<LayerPlan>& layers,

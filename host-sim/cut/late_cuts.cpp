@@ -13,13 +13,13 @@ using drawing::Drawing;
 using drawing::Fault;
 using drawing::FaultKind;
 
-/// Number of the first of several late contours, and how many they are.
+/// Contours that are cut too late: the number of the first one, and the count of all of them.
 struct LateContours {
   std::size_t contour = 0;
   std::size_t count = 0;
 };
-/// Late contours by two numbers: the layer (or part) that should be cut first, and the layer (or
-/// part) inside it.
+/// Late contours by two numbers: the layer (or part) that the required order puts first, and the
+/// layer (or part) inside it.
 using LateByPair = std::map<std::pair<std::size_t, std::size_t>, LateContours>;
 
 void note(LateByPair& late, std::size_t first, std::size_t inner, std::size_t contour) {

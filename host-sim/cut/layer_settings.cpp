@@ -18,8 +18,8 @@ constexpr double kLongestWay = 1000.0;     ///< Greatest length of leads, tabs a
 constexpr double kLongestPierce = 60.0;    ///< Greatest time of pierces and dwells, s.
 constexpr double kGreatestNumber = 1.0e6;  ///< Greatest power in W and feed in mm/min.
 constexpr unsigned kMaxTabs = 1000;
-constexpr double kMaxCommonLine = 1.0;  ///< Greatest gap of two cuts that become one, mm.
-/// Greatest width that a cut in narrow waste may take off, mm.
+constexpr double kMaxCommonLine = 1.0;  ///< Greatest gap between two cuts that become one, mm.
+/// Greatest width that a cut in narrow waste may take off an edge, mm.
 constexpr double kMaxNarrow = 1.0;
 /// Greatest distance by which Z moves down with each pass, mm.
 constexpr double kDeepestStep = 100.0;
@@ -338,7 +338,7 @@ LayerSettings settings_for(const drawing::Layer& layer,
     }
     return settings;
   };
-  // Text of single strokes has no inside, so it cannot be cut at an offset.
+  // Text that consists of single strokes has no inside, so it cannot be cut at an offset.
   const bool is_stroke_text = layer.colour == drawing::kStrokeTextColour;
   LayerSettings base = common;
   if (is_stroke_text) base.side = Side::kMark;

@@ -15,13 +15,14 @@ namespace sim::cut {
 /// The position of the beam relative to the drawn lines of a layer.
 enum class Side : std::uint8_t {
   kWaste,  ///< Offset from the line by half a kerf, so that the part has the drawn size.
-  kOn,     ///< On the line itself, through the sheet. Open lines are possible, too.
-  kMark,   ///< On the line, which is engraved, so that nothing is cut through.
+  kOn,     ///< On the line itself, through the sheet. Lines may be open, too.
+  kMark,   ///< On the line, which is engraved: the sheet is not cut through.
   /// The beam follows lines across the area of the layer's closed contours, which is engraved.
   kFill,
-  kImage,  ///< In rows of pixels. The layer's pictures are engraved, but not its contours.
-  kSkip,   ///< The beam is nowhere: the layer is skipped.
-  kStart,  ///< The beam is nowhere: the shapes of the layer mark starts of the nearest contours.
+  /// The beam follows rows of pixels. The pictures of the layer are engraved, but not its contours.
+  kImage,
+  kSkip,   ///< The beam is not used, because the layer is skipped.
+  kStart,  ///< The beam is not used. The shapes of the layer mark starts of the nearest contours.
 };
 
 /// Returns whether a side cuts nothing through. It then requires no kerf.
@@ -34,13 +35,13 @@ enum class Side : std::uint8_t {
   return side == Side::kWaste || side == Side::kOn || is_engraved(side);
 }
 
-/// The points of its path at which a closed contour may begin.
+/// The points of a closed contour at which its cut may begin.
 enum class StartAt : std::uint8_t {
   kAny,       ///< Anywhere: on straight lines, on arcs and at corners.
   kStraight,  ///< Only on straight lines and arcs, not at corners.
   kCorner,    ///< Only at corners, if the contour has any.
   kUsual,     ///< Only in the middle of its longest stroke that has free space for the leads.
-  /// At the end of one of its tabs, before which the cut then ends. Without tabs, as kAny.
+  /// At the end of a tab; the cut then ends before this tab. Without tabs, the same as kAny.
   kTab,
 };
 
@@ -54,7 +55,7 @@ struct Lead {
   bool operator==(const Lead&) const = default;
 };
 
-/// The gas that flows to the cut while the beam is on, by its coolant word.
+/// The gas that flows to the cut while the beam is on. Each value has a coolant word of G-code.
 enum class Air : std::uint8_t {
   kFlood,  ///< Gas of the flood output, M8.
   kMist,   ///< Gas of the mist output, M7.
@@ -86,7 +87,7 @@ struct LayerSettings {
   Lead lead_in{LeadKind::kArc, 2.0};
   Lead lead_out{};
   double overcut_mm = 0.0;
-  /// Width of the material that stays at a tab. The uncut length of the path is one kerf more.
+  /// Width of the material that stays at a tab. The uncut length of the path is one kerf longer.
   double tab_mm = 0.5;
   unsigned tabs = 0;  ///< Number of tabs of each part; holes have no tabs.
   double pierce_s = 0.0;
@@ -94,7 +95,7 @@ struct LayerSettings {
   /// Time for which the beam rests with its power off at corners without a loop; 0: no rest.
   double corner_dwell_s = 0.0;
   double corner_angle_deg = 45.0;  ///< Least turn at which a point of the path is a corner.
-  /// Greatest gap of two neighbouring cuts that become one cut; 0: no cuts become one.
+  /// Greatest gap between two cuts that become one cut; 0: no cuts become one.
   double common_line_mm = 0.0;
   /// Greatest distance by which a cut along the middle of narrow waste may go into the edges of the
   /// waste. Narrow waste is narrower than the kerf. 0: narrow waste is not cut.
@@ -104,9 +105,7 @@ struct LayerSettings {
   std::optional<unsigned> rank{};
   /// Power as a share. It replaces `power_w` until power_in_watts() is called.
   std::optional<PowerShare> power_share{};
-  /// Whether each pass goes over all contours of the layer. Otherwise each contour gets all its
-  /// passes before the next contour.
-  unsigned passes = 1;
+  unsigned passes = 1;  ///< Number of times that each contour of the layer is driven, 1 or more.
   /// Whether each pass goes over all contours of the layer. Otherwise each contour gets all its
   /// passes before the next contour.
   bool passes_by_layer = false;

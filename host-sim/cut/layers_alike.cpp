@@ -15,7 +15,7 @@ bool are_alike(const LayerPlan& a, const LayerPlan& b) {
 
 std::vector<std::size_t> layers_alike(const std::vector<LayerPlan>& layers) {
   std::vector<std::size_t> groups(layers.size(), drawing::kAloneInGroup);
-  std::vector<std::size_t> firsts;  // The first layer of each group.
+  std::vector<std::size_t> firsts;  // Number of the first layer of each group.
   for (std::size_t layer = 0; layer < layers.size(); ++layer) {
     if (layers[layer].settings.side != Side::kWaste) continue;
     for (const std::size_t first : firsts) {

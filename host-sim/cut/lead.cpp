@@ -11,7 +11,7 @@ namespace {
 constexpr double kQuarterBulge = std::numbers::sqrt2 - 1.0;
 constexpr double kDiagonal = 0.5 * std::numbers::sqrt2;
 
-/// Returns the lead-in of the path length `length` that ends at `place` in the direction `tangent`.
+/// Returns the lead-in that has the length `length` and ends at `place` in the direction `tangent`.
 Stroke lead_in(const Lead& lead, double length, const Place& place, const Place& tangent) {
   if (lead.kind == LeadKind::kLine) {
     const Place from = place + length * kDiagonal * (right_of(tangent) - tangent);
@@ -39,12 +39,12 @@ void add(std::vector<Stroke>& row, std::vector<Stroke> more, Purpose purpose) {
   }
 }
 
-/// Evenly spaced tabs of a row. The uncut length of a tab is one kerf more than the width that
-/// stays.
+/// Evenly spaced tabs of a row. The uncut length of a tab, `gap_mm`, is one kerf more than the
+/// width of the material that stays.
 struct Tabs {
   unsigned count = 0;
   double gap_mm = 0.0;
-  /// The row ends at the start of its last tab, so it is not closed.
+  /// Whether the row ends at the start of its last tab, so that it is not closed.
   bool has_last_at_end = false;
 };
 
@@ -69,7 +69,7 @@ bool ends_at_a_tab(const LayerSettings& settings, unsigned tabs) {
   return settings.start == StartAt::kTab && tabs > 0;
 }
 
-/// Returns the number of tabs, reduced until they take less than half of the cut.
+/// Returns `tabs`, reduced until the tabs take less than half of the length of the cut.
 unsigned tabs_with_room(const MeasuredRow& loop, unsigned tabs, double gap_mm) {
   while (tabs > 0 && tabs * gap_mm >= 0.5 * loop.length()) --tabs;
   return tabs;

@@ -37,7 +37,7 @@ struct Leads {
                              const LayerSettings& settings,
                              double share);
 
-/// Returns whether both leads have free space: they keep clear of all parts.
+/// Returns whether both leads have free space, that is, keep their distance from all parts.
 [[nodiscard]] bool have_room(const Leads& leads, const LeadRoom& room);
 
 /// A point at which the cut of a closed loop or of a line may begin. It includes the points where
@@ -60,10 +60,10 @@ struct LedCut {
 };
 
 /// Makes a cut of a closed row of strokes with the part on its left. The cut leads in from the
-/// waste on the right, has the beam off at tabs, overcuts and leads out. Then its corners are
-/// treated. An arc as a lead makes a quarter turn and is tangential to the contour. A line as a
-/// lead is at 45 degrees to the contour. With StartAt::kTab the last tab ends where the cut began,
-/// and there is no overcut and no lead-out.
+/// waste on the right, has the beam off along tabs, overcuts and leads out. Then its corners are
+/// treated. A lead that is an arc makes a quarter turn and is tangential to the contour. A lead
+/// that is a line is at 45 degrees to the contour. With StartAt::kTab the last tab ends where the
+/// cut began, and there is no overcut and no lead-out.
 /// @param tabs number of tabs, evenly spaced. Fewer are made if these would take half of the cut
 [[nodiscard]] LedCut with_leads(const MeasuredRow& loop,
                                 const LayerSettings& settings,

@@ -42,7 +42,7 @@ class LegCost {
   struct Terms {
     cnc::order::CandidatePlaces places;
     std::span<const double> own;  ///< Own cost of each candidate; empty if there are no own costs.
-    /// Whether the leg to home costs nothing, because other cuts follow the last cut.
+    /// Whether the leg after the last cut costs nothing, because other cuts follow.
     bool is_free_end = false;
   };
 
@@ -50,7 +50,7 @@ class LegCost {
 
   /// Returns the cost of the leg between two candidates. Half of the own cost of a candidate
   /// belongs to the leg to the candidate, and half to the leg from it. So a tour has the same cost
-  /// in both directions if its rapids do.
+  /// in both directions if its rapids have.
   [[nodiscard]] double operator()(cnc::order::Index from, cnc::order::Index to) const {
     return table_.empty() ? computed(from, to) : table_[from * terms_.places.entry.size() + to];
   }

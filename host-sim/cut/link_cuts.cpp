@@ -9,8 +9,8 @@
 namespace sim::cut {
 namespace {
 
-/// Distance that links keep from tabs, in kerfs. A tab holds only if the waste at its other end
-/// stays.
+/// Distance that links keep from tabs, in kerfs. A tab holds its part only if the waste at the
+/// other end of the tab stays.
 constexpr double kKerfsFromTabs = 1.5;
 
 bool may_be_linked(const Cut& cut, const LayerPlan& layer) {

@@ -15,8 +15,8 @@ struct LinkRules {
 /// Joins each cut to the next cut where this saves time. The beam stays on along a straight link
 /// from the end of one cut to the start of the next cut. This saves the pierce and the rapid. A
 /// link is in the waste: at least half a kerf from all lines that are cut, and one and a half kerfs
-/// from tabs. So it crosses neither parts nor freed material. Both cuts belong to one layer, are at
-/// an offset from their lines, and are driven as strokes (see Cut::programmed). The order does not
+/// from tabs. So it crosses neither parts nor freed material. Only cuts of one layer are joined, at
+/// an offset from their lines, and driven as strokes (see Cut::programmed). The order does not
 /// change. Counts the links in `safety`.
 void link_cuts(CutPlan& plan, const drawing::Drawing& drawn, const LinkRules& rules);
 

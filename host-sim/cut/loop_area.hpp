@@ -14,9 +14,9 @@ class LoopArea {
  public:
   using Box = cnc::contour::FlatBox<double>;
 
-  /// Makes the area inside a loop.
-  /// @pre each stroke begins where the previous one ends, the first one begins at the end of the
-  /// last one, and at least one is longer than a nanometre
+  /// Makes the area inside a closed loop.
+  /// @pre each stroke begins at the end of the previous one, the first stroke begins at the end of
+  /// the last one, and at least one stroke is longer than a nanometre
   /// @param skin_mm distance by which the area extends beyond the loop, 0 or more. Only box()
   /// contains this skin; the caller adds it to other distances
   explicit LoopArea(std::vector<Stroke> loop, double skin_mm = 0.0);

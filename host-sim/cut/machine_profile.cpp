@@ -78,7 +78,7 @@ std::vector<SettingChange> settings_in(const JsonFields& fields, const std::stri
   return settings;
 }
 
-/// Returns the points of a stroke that may be outermost in some direction along an axis.
+/// Returns points of a stroke that include its outermost points in both directions along each axis.
 std::vector<Place> outermost_of(const Stroke& stroke) {
   std::vector<Place> places{stroke.from, stroke.to};
   if (stroke.bulge == 0.0) return places;
@@ -98,8 +98,8 @@ std::vector<Place> outermost_of(const Stroke& stroke) {
   return places;
 }
 
-/// Returns the points of a cut that may be outermost. They are points of its strokes, and of its
-/// strokes for a controller that computes compensated paths.
+/// Returns points of a cut that include its outermost points. They are points of its strokes, and
+/// of its strokes for a controller that computes compensated paths.
 std::vector<Place> outermost_of(const Cut& cut) {
   std::vector<Place> places;
   for (const std::vector<Stroke>* strokes : {&cut.strokes, &cut.programmed}) {
@@ -115,7 +115,7 @@ std::vector<Place> outermost_of(const Cut& cut) {
 struct BedSide {
   const char* name = "";
   std::size_t axis = 0;
-  double way = 1.0;  ///< Sign of the direction along the axis that leads off the bed.
+  double way = 1.0;  ///< Sign of the direction along the axis in which this side of the bed is.
   double edge = 0.0;
   double beyond_mm = kBedSlackMm;
   Place place{0.0, 0.0};

@@ -14,8 +14,9 @@
 namespace sim::cut {
 namespace {
 
-/// Returns whether the waste at contour `i` is in a hole. The outermost of `contours` around it
-/// decides, or the contour itself if none is around it.
+/// Returns whether the waste at contour `i` is in a hole. It is in a hole if the outermost of the
+/// `contours` around contour `i` is a hole, or if none is around it and contour `i` itself is a
+/// hole.
 bool is_in_hole(const DrawnEdges& edges, const std::vector<std::size_t>& contours, std::size_t i) {
   std::size_t outermost = i;
   for (auto around = edges.drawn.contours[i].lies_in; around;

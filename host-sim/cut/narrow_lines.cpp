@@ -24,10 +24,11 @@ using pocket::MedialAxis;
 constexpr double kMiddleTolerance = 5.0e-3;
 constexpr double kSamePlaceMm = 1.0e-6;
 constexpr double kNoMore = 1.0e-6;  ///< Tolerance for rounding at a limit, mm.
-/// Share of half the kerf by which two paths may be too near to each other.
+/// Distance by which two paths may be nearer to each other than required, as a share of half the
+/// kerf.
 constexpr double kWideEnough = 1.0e-3;
-/// Maximum decrease of the radius per length, mm per mm. A stretch whose end narrows faster is a
-/// corner and has no line.
+/// Maximum decrease of the radius along a stretch, mm per mm of its length. A stretch whose end
+/// narrows faster is a corner and has no line.
 constexpr double kSteepest = 0.5;
 /// Half the length of a line that replaces a point, as a share of half the kerf.
 constexpr double kDot = 0.25;
@@ -205,8 +206,8 @@ void NarrowFinder::note_sets() {
   }
 }
 
-/// Returns whether a stretch only leads into a corner. The beam already reaches as far into a
-/// corner as it can.
+/// Returns whether a stretch only leads into a corner. It then needs no line, because the beam
+/// already reaches as far into the corner as it can.
 bool NarrowFinder::is_corner(const Narrow& narrow) const {
   const bool ends_free = is_free(narrow.to);
   if (is_free(narrow.from) == ends_free) return false;
@@ -218,8 +219,8 @@ void NarrowFinder::drop_corners() {
   for (bool is_changed = true; is_changed;) {
     is_changed = false;
     std::vector<Narrow> kept;
-    // All stretches are checked in the same state. If dropping a stretch gives another stretch a
-    // free end, this other stretch is checked in the next pass.
+    // In one pass, all stretches are checked before any is dropped. If dropping a stretch gives
+    // another stretch a free end, this other stretch is checked in the next pass.
     std::vector<bool> goes;
     for (const Narrow& narrow : narrows_) goes.push_back(is_corner(narrow));
     for (std::size_t i = 0; i < narrows_.size(); ++i) {
@@ -297,7 +298,8 @@ bool NarrowFinder::ends_at_other_waste(const Narrow& line) const {
   return is_other_near_ && is_other_near_(end.place, end.radius + kTouchesMm);
 }
 
-/// Adds a line. Ends that lead nowhere are shortened by the reach of the beam.
+/// Adds a line. An end at which neither another line continues nor other waste begins is shortened
+/// by the reach of the beam.
 void NarrowFinder::add(Narrow line) {
   if (is_cut_from_ends(line)) return;
   const AxisPoint widest = *std::ranges::max_element(line.points, {}, &AxisPoint::radius);

@@ -27,8 +27,8 @@ RapidCost cost_of(const OrderWish& wish) {
   return wish.cost == OrderCost::kTime ? RapidCost{wish.limits} : RapidCost{};
 }
 
-/// Returns the indices of the cuts in groups with the same position in the required order
-/// (CutTurn), in this order.
+/// Returns groups of indices of cuts. The cuts of a group have the same CutTurn. The groups are in
+/// the order of their turns.
 std::vector<std::vector<std::size_t>> groups_of(const std::vector<UnbegunCut>& cuts,
                                                 Grouping grouping) {
   const std::vector<CutTurn> turns = turns_of(cuts, grouping);

@@ -16,7 +16,7 @@ struct RapidSum {
   double own_s = 0.0;  ///< Time of the cuts, minus their time with the cheapest beginnings.
 };
 
-/// Returns length and time of all rapids, which are taken as straight.
+/// Returns length and time of all rapids, as if all of them were straight.
 /// @param order all cuts in order
 [[nodiscard]] RapidSum rapids_of(const std::vector<OrderedCut>& order,
                                  const std::vector<UnbegunCut>& cuts,

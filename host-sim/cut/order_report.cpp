@@ -12,13 +12,13 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// Returns the share that `ours` saves of `other`, %; 0 if `other` is 0.
+/// Returns the percentage by which `ours` is less than `other`; 0 if `other` is 0.
 double saving(double ours, double other) {
   return other > 0.0 ? 100.0 * (1.0 - ours / other) : 0.0;
 }
 
-/// Returns the time of the job in another order. The cuts themselves take a different time, because
-/// their beginnings differ.
+/// Returns the time of the job in another order. The time of the cuts differs, too, because their
+/// beginnings differ.
 double job_time(const RapidSum& sum, const OrderFigures& order) {
   return order.strokes_s - order.rapids.own_s + sum.own_s + sum.time_s;
 }
@@ -48,8 +48,8 @@ std::vector<std::string> lines_of(const OrderFigures& order, std::size_t cuts) {
   const auto cost = [&order](const RapidSum& sum) {
     return order.wish.cost == OrderCost::kLength ? sum.length_mm : sum.time_s;
   };
-  // The rapids of the other orders are known only as straight ones. So this order is compared by
-  // its straight rapids, too.
+  // For the other orders, only the lengths of straight rapids are known. So this order is compared
+  // by its straight rapids, too.
   const auto beside = [&](std::string_view name, const RapidSum& other) {
     return line(name, other) +
            fmt::format("; {:.1f} percent saved", saving(cost(order.straight), cost(other)));

@@ -10,12 +10,12 @@
 namespace sim::cut {
 namespace {
 
-/// Greatest numbers of strokes that are compared, and of motions that are planned, for all cuts
-/// together. This work takes some seconds.
+/// Greatest number of strokes that are compared for all cuts together, and greatest number of
+/// motions that are planned. Work up to these limits takes some seconds.
 constexpr std::size_t kStrokes = 1'000'000;
 constexpr std::size_t kMotions = 200'000;
-/// Greatest number of motions that are planned under a limit of jerk. Each of these is planned for
-/// several windows.
+/// Greatest number of motions that are planned under a limit of jerk. It is smaller, because each
+/// of these motions is planned for several windows.
 constexpr std::size_t kMotionsUnderJerk = 20'000;
 /// Distance within which two beginnings count as the same, mm.
 constexpr double kSamePlace = 1.0e-6;
@@ -80,8 +80,8 @@ std::uint64_t OwnCosts::digest_of(const std::vector<Stroke>& strokes,
   return digest.value();
 }
 
-/// Returns the time of the strokes, s. A rapid from the side comes first, so that the cut begins at
-/// rest and the planner knows the whole cut when it begins.
+/// Returns the time of the strokes, s. A rapid that arrives from the side comes first. So the cut
+/// begins at rest, and the planner knows the whole cut when it begins.
 double OwnCosts::time_of(const std::vector<Stroke>& strokes, const LayerPlan& layer) {
   constexpr double kRapidMm = 100.0;
   const Place& entry = strokes.front().from;

@@ -12,9 +12,9 @@
 
 namespace sim::cut {
 
-/// Computes the dependence of the time of a cut on its beginning. A cut that begins at a corner
-/// stops where the machine would slow down in any case. A cut that begins in the middle of an edge
-/// makes one more stop.
+/// Computes the own costs of cuts: the time that each beginning adds to its cut. A cut that begins
+/// at a corner stops where the machine would slow down in any case. A cut that begins in the middle
+/// of an edge makes one more stop.
 ///
 /// Times are those of ControllerClock, from the end of the rapid to the end of the cut. Cuts with
 /// the same strokes share their times. Cuts that differ by a quarter turn share them, too, if both

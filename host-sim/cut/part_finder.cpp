@@ -19,7 +19,7 @@ std::size_t PartFinder::part_of(const Cut& cut) const {
 std::size_t PartFinder::part_around(std::size_t contour) const {
   const drawing::DrawnContour& drawn = drawn_.contours[contour];
   auto around = roles_[contour] == Role::kHole ? drawn.parent : drawn.lies_in;
-  // The bound guards against a drawing in which contours are inside of each other in a circle.
+  // The bound ends the loop for a drawing in which contours lie cyclically inside each other.
   for (std::size_t i = 0; around && i < roles_.size(); ++i) {
     if (roles_[*around] == Role::kOuter) return *around;
     around = drawn_.contours[*around].lies_in;

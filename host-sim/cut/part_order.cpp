@@ -11,7 +11,7 @@ namespace sim::cut {
 namespace {
 
 constexpr int kPartRounds = 4;
-/// Number of units above which the search has only one pass, because each takes long.
+/// Number of units above which the search has only one pass, because each pass takes long.
 constexpr std::size_t kManyUnits = 5'000;
 /// Number of search steps for the order within a part, per cut of the part.
 constexpr std::uint64_t kStepsOfCut = 100;

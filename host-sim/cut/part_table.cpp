@@ -11,8 +11,8 @@
 namespace sim::cut {
 namespace {
 
-/// Returns a measure in hundredths of a millimetre or of a square millimetre. Copies of a part have
-/// equal rounded measures.
+/// Returns a measure, rounded to hundredths of a millimetre or of a square millimetre. So copies of
+/// a part have equal measures.
 std::int64_t rounded(double measure) { return std::llround(100.0 * measure); }
 
 /// Rounded measures of a contour, by which copies are recognised: whether it is a mark, its layer,

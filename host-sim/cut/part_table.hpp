@@ -21,8 +21,7 @@ struct PartRow {
   std::size_t pierces = 0;
   double cut_length_mm = 0.0;  ///< Length of the cuts, including leads, without tabs.
   double area_mm2 = 0.0;       ///< Area of the material of the parts, without holes.
-  /// Time of the cuts and of the rapids to them, with a share of the rapid back to the end of the
-  /// job.
+  /// Time of the cuts and of the rapids to them, with a share of the last rapid of the job.
   double time_s = 0.0;
   Cost cost{};
 };

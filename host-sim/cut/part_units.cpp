@@ -78,7 +78,7 @@ PartUnits units_of(const std::vector<UnbegunCut>& cuts, const std::vector<std::s
   const std::vector<std::size_t> none(units.cuts.size(), 0);
   const std::vector<std::size_t> sorted = sorted_units(units, none);
   if (sorted.size() == units.cuts.size()) return units;
-  // All units that are left out become one unit, the last one.
+  // All units that sorted_units() leaves out become one unit, the last one.
   std::vector<std::size_t> number(units.cuts.size(), sorted.size());
   for (std::size_t i = 0; i < sorted.size(); ++i) number[sorted[i]] = i;
   for (const std::size_t member : members) unit_of[member] = number[unit_of[member]];

@@ -105,7 +105,7 @@ bool share_crowd(const DrawnEdges& edges,
   };
   const auto without_path = count_without_path();
   if (!part_crowd(edges, crowd, between, offset, paths)) return false;
-  // If an outline has lost its path, it is cut together with another part.
+  // An outline that has lost its path is cut together with another part. The warnings say so.
   if (count_without_path() > without_path) {
     warnings.insert(warnings.end(), held.begin(), held.end());
   }
@@ -133,7 +133,8 @@ void part_crowds(const DrawnEdges& edges,
   }
 }
 
-/// Replaces the gouges of an outline by one fault if its part lies against another part.
+/// Replaces the faults in `gouges` of an outline by one fault if its part lies against another
+/// part.
 void name_touching(const DrawnEdges& edges, std::vector<PathBeside>& paths) {
   for (std::size_t i = 0; i < paths.size(); ++i) {
     if (paths[i].gouges.empty()) continue;

@@ -45,7 +45,7 @@ struct DrawnEdges {
 };
 
 /// Returns, for each contour, the paths at an offset of half the kerf from its outline. A contour
-/// that is cut in any other way has no paths. Outlines that are nearer to each other than the kerf
+/// that is not cut at an offset has no paths. Outlines that are nearer to each other than the kerf
 /// share their paths, with a warning. Outlines that lie against each other are cut once along their
 /// common edge if `may_share` permits this. If waste is narrower than the kerf and the settings
 /// permit it, lines run along its middle, also with a warning.

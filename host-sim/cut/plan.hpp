@@ -16,15 +16,15 @@
 
 namespace sim::cut {
 
-/// The program that computes the path at an offset of half a kerf.
+/// The side that computes the compensated path, at an offset of half a kerf.
 enum class WayBeside : std::uint8_t {
-  kHere,  ///< This program computes it, and the G-code contains the beam's path.
-  /// The controller computes it. The G-code contains the drawn outline, and G42 with the kerf of
-  /// the material.
+  kHere,  ///< This program computes the path, and the G-code contains the path of the beam.
+  /// The controller computes the path. The G-code contains the drawn outline, and G42 with the kerf
+  /// of the material.
   kOnController,
 };
 
-/// Number that means no contour, as Cut::contour.
+/// Value of Cut::contour for a cut without a contour.
 inline constexpr std::size_t kNoContour = SIZE_MAX;
 
 /// The whole path along a contour, if each of several cuts has a piece of it; see share_lines().
@@ -32,7 +32,7 @@ using SharedLoop = std::shared_ptr<const std::vector<Stroke>>;
 
 struct BurntPicture;
 
-/// One pierce and the strokes that follow it. For a picture, the strokes are its rows.
+/// One cut: a pierce and the strokes that follow it. For a picture, the strokes are its rows.
 struct Cut {
   /// Number of the contour in the drawing; kNoContour if the cut is a slice or a picture.
   std::size_t contour = 0;
@@ -51,8 +51,8 @@ struct Cut {
   /// Numbers of the cuts that must come before this cut. Contours inside a part are cut while the
   /// part is still held.
   std::vector<std::size_t> after{};
-  /// Corners of the rapid to the start of the cut, without its ends; empty if the rapid is
-  /// straight.
+  /// Points between the ends of the rapid to the start of the cut, at which it turns; empty if the
+  /// rapid is straight.
   std::vector<Place> approach{};
   double lift_mm = 0.0;   ///< Height of Z during the rapid to the cut; 0: not lifted.
   bool is_slice = false;  ///< Whether the cut divides the waste; it then belongs to no contour.
@@ -71,7 +71,7 @@ struct OrderFigures {
   /// Whether it is proven that no order with listed beginnings is cheaper.
   bool is_proven = false;
   RapidSum rapids{};  ///< Rapids of this order as they are routed.
-  /// Rapids of this order if all of them were straight, as those of the orders below are.
+  /// Rapids of this order if all of them were straight, for a comparison with the orders below.
   RapidSum straight{};
   /// Rapids of the order before refinement, when all beginnings are from the lists.
   RapidSum listed{};
@@ -103,7 +103,7 @@ struct CutPlan {
   std::vector<drawing::Fault> warnings;  ///< Warnings about contours, cuts and settings.
   OutlineOptions curves;                 ///< Options by which the drawing's curves became arcs.
   OrderFigures order{};                  ///< Figures of the chosen order and of its cost.
-  /// Corners of the rapid after the last cut, without its ends.
+  /// Points between the ends of the rapid after the last cut, at which it turns.
   std::vector<Place> way_home{};
   /// Height of Z during the rapid after the last cut; 0: not lifted.
   double lift_home_mm = 0.0;

@@ -19,7 +19,8 @@ inline void append_faults(std::vector<drawing::Fault>& faults,
 /// A plan while it is made.
 struct PlanWork {
   const drawing::Drawing& drawn;
-  /// Distance within which edges matter, and which searches cover: twice the widest kerf, mm.
+  /// Greatest distance at which edges affect each other and searches find edges: twice the widest
+  /// kerf, mm.
   double reach_mm;
   Clearance edges{reach_mm};
   /// The plan. Until the order is chosen, its cuts have no strokes and are in the order of the

@@ -7,14 +7,16 @@ namespace sim::cut {
 
 namespace {
 
-/// Lists both directions of an open line. A cut at an offset with tabs, or with loops or dwells at
-/// corners, has only the forward direction, because these were made for it.
+/// Lists both directions of an open line as its beginnings. A cut at an offset with tabs, or with
+/// loops or dwells at corners, has only the forward direction, because its tabs and corners were
+/// made for this direction.
 void list_both_ends(UnbegunCut& cut, bool is_beside) {
   const LayerSettings& settings = cut.settings;
   cut.beginnings = beginnings_of_line(cut.path);
   cut.may_move = false;
   if (!is_beside) return;
-  for (Beginning& beginning : cut.beginnings) beginning.has_leads = true;  // No leads are missing.
+  // Open lines require no leads, so none is missing.
+  for (Beginning& beginning : cut.beginnings) beginning.has_leads = true;
   const bool has_work = settings.corner_loop_mm > 0.0 || settings.corner_dwell_s > 0.0;
   if (settings.tabs != 0 || has_work) cut.beginnings.pop_back();
 }

@@ -10,14 +10,14 @@
 namespace sim::cut {
 namespace {
 
-/// Greatest number of points at which a rapid may leave the piece that was just cut. There is
-/// nearly always a path from the nearest one.
+/// Greatest number of points at which a rapid may leave the piece that was just cut. A path nearly
+/// always exists from the nearest of these points.
 constexpr std::size_t kMaxExits = 12;
-/// Greatest number of exits from which a path is searched without success. Usually all exits lead
-/// to the same waste.
+/// Number of exits from which the search may fail before it ends. Usually all exits lead to the
+/// same waste.
 constexpr int kMaxSearches = 3;
-/// Greatest ratio of the path inside the piece to the shortest path out, for a rapid that leaves
-/// the piece straight towards its goal.
+/// For a rapid that leaves the piece straight towards its goal: greatest ratio of its path inside
+/// the piece to the shortest path out of the piece.
 constexpr double kSlantedExit = 1.5;
 
 /// Number of legs that are tried from one end before the search from the other end begins, and
@@ -25,7 +25,7 @@ constexpr double kSlantedExit = 1.5;
 constexpr std::uint64_t kFirstTrials = 2'000;
 constexpr std::uint64_t kMaxTrials = 40'000;
 
-/// A path that leaves an area across the nearest point of one of its strokes.
+/// A path out of an area, which crosses the edge at the nearest point of one stroke.
 struct RapidExit {
   double edge_mm = 0.0;  ///< Distance from the start of the rapid to this point of the edge.
   Place place{0.0, 0.0};
@@ -85,7 +85,7 @@ bool leaves_shortly(
          leaves_once(area, from, out);
 }
 
-/// Removes corners of a path that are unnecessary because the straight leg past them is free.
+/// Removes corners of a path where a straight leg between the points before and after them is free.
 void shorten(std::vector<Place>& way,
              const FreeLegs& legs,
              const RapidEnd& from,
@@ -163,7 +163,7 @@ std::vector<Place> RapidRouter::find_out(Try& t,
   }
   int searches = 0;
   const std::vector<RapidExit> exits = exits_of(area, from.place, legs.clearance_mm());
-  // A farther exit is on the other side of the piece, and would lead across it.
+  // A farther exit is on the other side of the piece. A rapid through it would cross the piece.
   const double farthest = kSlantedExit * exits.front().edge_mm + 2.0 * rules_.clearance_mm;
   for (const RapidExit& exit : exits) {
     if (exit.edge_mm > farthest) break;

@@ -20,13 +20,13 @@ class RapidRouter {
     Place lowest{0.0, 0.0};
   };
 
-  /// Makes a router around `areas`. Each find() uses their state at the time of the call.
+  /// Makes a router around `areas`. Each call of find() uses the areas that exist at that time.
   RapidRouter(const FreedAreas& areas, const Rules& rules) : areas_{&areas}, rules_{rules} {}
 
   /// Returns all points of the path of a rapid, including its ends. The path is nearly the shortest
-  /// one that keeps the clearance. If there is none, it keeps a quarter or a sixteenth of the
-  /// clearance. The result is empty if an end is in an area, if there is no path, or if the search
-  /// would require more than some ten thousand trials.
+  /// one that keeps the clearance. If no path keeps it, the returned path keeps a quarter or a
+  /// sixteenth of the clearance. The result is empty if an end is in an area, if there is no path,
+  /// or if the search would require more than some ten thousand trials.
   /// @param just_cut the area whose edge the beam has just cut. From inside or near this area the
   /// rapid leaves by the shortest path, and does not come back
   [[nodiscard]] std::vector<Place> find(const Place& from,
@@ -34,7 +34,8 @@ class RapidRouter {
                                         std::optional<std::uint32_t> just_cut) const;
 
  private:
-  /// One try of a search: the legs that are free, and the limit for corners to the left and below.
+  /// One try of a search. `legs` decides which legs are free. Corners to the left of `lowest`, or
+  /// below it, are not used.
   struct Try {
     FreeLegs legs;
     Place lowest;

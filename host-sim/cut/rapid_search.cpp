@@ -5,8 +5,9 @@
 namespace sim::cut {
 namespace {
 
-/// Factors of the remaining distance to the goal in estimates. With the first factor, paths are at
-/// most some per cent too long. The second factor makes a long search head straight for the goal.
+/// Factors by which estimates multiply the remaining distance to the goal. With the first factor,
+/// paths are at most some per cent too long. The second factor makes a long search proceed straight
+/// towards the goal.
 constexpr double kCareful = 1.02;
 constexpr double kHasty = 1.6;
 constexpr std::uint64_t kCarefulTrials = 3'000;

@@ -136,8 +136,8 @@ class RuleApplier {
     const ShopRule& rule = recipes_.applied[index].rule;
     if (rule.action == RuleAction::kSkip) plan.settings.side = Side::kSkip;
     if (rule.action == RuleAction::kMark) {
-      // A mark has neither leads nor tabs. So the leads and tabs of the layer are not reported as
-      // missing.
+      // A mark has neither leads nor tabs. With the default settings, no warning reports the leads
+      // and tabs of the layer as missing.
       plan.settings = {.air = plan.settings.air};
       plan.settings.side = Side::kMark;
     }

@@ -10,12 +10,13 @@
 namespace sim::cut {
 namespace {
 
-/// Greatest number of strokes of a path for which all strokes are tried.
+/// Greatest number of strokes of a path on which the search tries all strokes.
 constexpr std::size_t kFewStrokes = 32;
-/// Number of strokes on either side of the present one that are tried on longer paths.
+/// Number of strokes on either side of the present beginning that are tried on longer paths.
 constexpr std::size_t kStrokesAround = 3;
-constexpr double kMarginMm = 0.2;      ///< Distance of beginnings from the ends of their strokes.
-constexpr double kMarginShare = 0.25;  ///< Upper limit of this distance, as a share of the stroke.
+constexpr double kMarginMm = 0.2;  ///< Least distance between a beginning and an end of its stroke.
+/// Upper limit of kMarginMm, as a share of the length of the stroke.
+constexpr double kMarginShare = 0.25;
 constexpr double kGolden = 0.618033988749895;
 constexpr double kEndlessly = std::numeric_limits<double>::infinity();
 

@@ -11,7 +11,8 @@
 namespace sim::cut {
 namespace {
 
-/// Throws std::invalid_argument if a cut has several passes, but a wish permits only one pass.
+/// Throws std::invalid_argument if the settings require several passes, but one of the wishes
+/// permits only one pass.
 void expect_passes_with(const SafetyWishes& wishes, const LayerSettings& settings) {
   const char* other = nullptr;
   if (settings.passes > 1) {
@@ -25,7 +26,7 @@ void expect_passes_with(const SafetyWishes& wishes, const LayerSettings& setting
       "passes={}: cannot be used with {}; leave one of them out", settings.passes, other));
 }
 
-/// Returns whether the next pass may go back along the line of a pass, in the opposite direction.
+/// Returns whether the next pass of a cut may run along the same line in the opposite direction.
 bool may_return(const Cut& cut) {
   return cut.start() != cut.end() && cut.programmed.empty() && !cut.picture &&
          std::ranges::all_of(cut.strokes, [](const Stroke& stroke) {
@@ -94,9 +95,9 @@ class PassRepeater {
 
   const CutPlan& plan_;
   std::vector<Cut> cuts_;
-  /// Number of the previous pass of the same cut, for each pass.
+  /// For each pass, the number of the previous pass of the same cut.
   std::vector<std::size_t> before_;
-  std::vector<std::size_t> last_;  ///< Number of the last pass so far, for each cut.
+  std::vector<std::size_t> last_;  ///< For each cut, the number of its last pass so far.
 };
 
 }  // namespace

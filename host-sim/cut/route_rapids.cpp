@@ -44,7 +44,7 @@ std::vector<SharedArea> freed_by(const CutPlan& plan) {
   return areas;
 }
 
-/// Returns a size of cells, mm, for which most areas need few cells.
+/// Returns a cell size, mm, with which most areas are in few cells.
 double cell_for(const std::vector<SharedArea>& areas) {
   double sum = 0.0;
   std::size_t count = 0;

@@ -8,7 +8,8 @@ namespace sim::cut {
 
 /// Rules by which rapids avoid freed areas.
 struct AvoidanceRules {
-  /// Distance from areas in addition to half a kerf, above 0. In gaps the sum of both may be less.
+  /// Distance from areas in addition to half a kerf, above 0. In gaps, rapids may keep less than
+  /// the sum of both distances.
   double margin_mm = 0.1;
   double lift_mm = 0.0;  ///< Height of Z for rapids without a path; 0: rapids are not lifted.
 };
@@ -19,8 +20,8 @@ struct AvoidanceRules {
 
 /// Routes rapids around holes and parts that earlier cuts have freed, because these may have fallen
 /// or tipped into the path of the head. Rapids keep half a kerf plus the margin from the cut around
-/// a part, and from the edge of a hole. Parts with tabs are not free. A closed cut on its line
-/// frees the material inside once nothing inside is left to cut. A rapid leaves the piece that was
+/// a part, and from the edge of a hole. Parts with tabs are not freed. A closed cut on its line
+/// frees the material inside it when all cuts inside it are done. A rapid leaves the piece that was
 /// just cut by the shortest path.
 ///
 /// Sets `approach` and `lift_mm` of all cuts, `way_home` and `lift_home_mm`. Counts the rapids in

@@ -9,7 +9,7 @@
 
 namespace sim::cut {
 
-/// Default of the greatest distance between a cut and a pierce that must wait until the cut is
+/// Default for the greatest distance between a cut and a pierce that must wait until the cut is
 /// cool, in kerfs. Neighbours in a nest are one to three kerfs apart, and an edge is discoloured
 /// over about the width of one kerf. Five kerfs cover the neighbour's edge and the hot material
 /// beyond it. Heavy plate that stores heat requires a greater --cool-distance.

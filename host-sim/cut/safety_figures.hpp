@@ -10,7 +10,7 @@ struct SafetyFigures {
   std::size_t led_round = 0;  ///< Number of rapids that have corners to avoid freed areas.
   double longer_mm = 0.0;     ///< Length that avoiding freed areas adds to rapids.
   std::size_t lifted = 0;     ///< Number of rapids that are lifted.
-  std::size_t no_way = 0;     ///< Number of rapids without a path; each is a fault.
+  std::size_t no_way = 0;     ///< Number of rapids for which no path was found; each is a fault.
 
   bool cools = false;             ///< Whether pierces keep away from fresh heat.
   std::size_t cooling_swaps = 0;  ///< Number of cuts that were moved forward to avoid heat.

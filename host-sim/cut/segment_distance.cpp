@@ -7,8 +7,8 @@
 namespace sim::cut {
 namespace {
 
-/// Returns whether a point of an arc's circle is on the arc. For any sweep, the arc is on the side
-/// of its chord to which it bulges.
+/// Returns whether a point on the circle of an arc is on the arc. For any sweep, the arc is on that
+/// side of its chord to which it bulges.
 bool is_on_arc(const Stroke& arc, const Place& place) {
   const double side = drawing::cross(arc.to - arc.from, place - arc.from);
   return arc.bulge > 0.0 ? side <= 0.0 : side >= 0.0;
@@ -96,14 +96,14 @@ Place nearest_on(const Stroke& stroke, const Place& place) {
 
 double nearest_share(const Stroke& stroke, const Place& place) {
   const Place way = nearest_on(stroke, place) - stroke.from;
-  // For an arc this flat, the share is that of the chord within 1e-8. Angles would only contain
-  // rounding.
+  // For an arc this flat, the share along the arc equals the share along its chord within 1e-8.
+  // Angles computed from such an arc would contain only rounding.
   constexpr double kFlatBulge = 1.0e-4;
   if (std::abs(stroke.bulge) < kFlatBulge) {
     const double square = (stroke.to - stroke.from).squaredNorm();
     return square > 0.0 ? std::clamp(std::sqrt(way.squaredNorm() / square), 0.0, 1.0) : 0.0;
   }
-  // If the point is so near to the start, its direction is only rounding.
+  // If the point is this near to the start, its direction from the start contains only rounding.
   constexpr double kNoShare = 1.0e-9;
   if (way.norm() < kNoShare * length_of(stroke)) return 0.0;
   // The angle between the tangent at the start and a chord from there is half of the angle of the

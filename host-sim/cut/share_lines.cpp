@@ -36,7 +36,7 @@ bool is_reached_from_ends(const std::vector<Stroke>& rest, double half_kerf_mm) 
   return true;
 }
 
-/// The stretches of a path that earlier cuts make.
+/// The stretches of a path that earlier cuts make, so that the cut of the path loses them.
 struct Loss {
   std::vector<SharedStretch> stretches{};
   std::vector<std::size_t> owners{};  ///< Numbers of the earlier cuts that make a stretch.
@@ -105,7 +105,8 @@ class Sharing {
       }
     }
     join_stretches(loss.stretches);
-    // Cuts along an edge that parts share have the whole edge in common, however short it is.
+    // Cuts along a shared edge have the whole edge in common, so a stretch of it may be of any
+    // length.
     const double shortest_mm = cut.is_on_edge ? 0.0 : kShortestKerfs * 2.0 * cut.half_kerf_mm;
     std::erase_if(loss.stretches, [shortest_mm](const SharedStretch& stretch) {
       return stretch.to_mm - stretch.from_mm < shortest_mm;
@@ -115,7 +116,7 @@ class Sharing {
     return loss;
   }
 
-  /// Returns the rests of a cut, without the rests that the beam covers from their ends.
+  /// Returns the rests of a cut, except the rests that the beam covers completely from their ends.
   [[nodiscard]] std::vector<std::vector<Stroke>> needed_rests(std::size_t i,
                                                               const Loss& loss) const {
     const UnbegunCut& cut = unbegun_[i];
@@ -126,7 +127,8 @@ class Sharing {
     return rests;
   }
 
-  /// Moves cuts forward if earlier cuts would leave nothing of them, where this is possible.
+  /// Moves a cut forward in the order if earlier cuts would leave nothing of it, as far as the
+  /// precedence permits.
   void leave_each_a_line() {
     constexpr int kMaxRounds = 8;
     bool is_changed = true;
@@ -141,8 +143,9 @@ class Sharing {
     }
   }
 
-  /// Moves a cut forward, before one of the owners of its lines. If several owners permit this, it
-  /// is the owner that keeps the greatest length. Returns false if no owner permits it.
+  /// Moves a cut forward, before one of the owners of its lines. If several owners permit this,
+  /// chooses the owner with the greatest length that it does not itself leave to earlier cuts.
+  /// Returns false if no owner permits it.
   bool comes_before_an_owner(std::size_t i, const Loss& loss) {
     std::vector<bool> is_before(unbegun_.size());
     std::vector<std::size_t> open{i};
@@ -241,7 +244,8 @@ class Sharing {
       settings.overcut_mm = 0.0;
       settings.start = StartAt::kUsual;
       if (rest != longest) settings.tabs = 0;
-      // The cut begins in the kerf of the other part, unless that part has a tab at this point.
+      // The cut requires no pierce, because it begins in the kerf of the other part. If the parts
+      // have tabs, the pierce stays, because a tab of the other part may be at this point.
       if (unbegun_[i].settings.tabs == 0) settings.pierce_s = 0.0;
       unbegun.push_back(std::move(open));
       cuts.push_back(cut);
@@ -253,9 +257,9 @@ class Sharing {
   std::vector<std::size_t> ranks_;
   Clearance strokes_;
   std::vector<OwnedStroke> owner_of_stroke_;
-  /// Rests that replace each cut. A cut without rests is made completely.
+  /// For each cut, the rests that replace it. A cut without rests stays as it is.
   std::vector<std::vector<std::vector<Stroke>>> rests_;
-  /// Numbers of the earlier cuts that make lines of each cut.
+  /// For each cut, the numbers of the earlier cuts that make lines of this cut.
   std::vector<std::vector<std::size_t>> owners_;
 };
 

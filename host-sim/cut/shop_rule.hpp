@@ -42,7 +42,8 @@ enum class RuleAction : std::uint8_t {
 struct RuleChange {
   std::string key;
   std::string value;
-  double percent = 0.0;  ///< Percentage of the layer's power or feed; 0: `value` is the new value.
+  /// Percentage of the layer's power or feed. 0: the setting becomes `value`.
+  double percent = 0.0;
 };
 
 /// One rule of the shop, such as `hole diameter < thickness: feed=60%, lead-in=line:1`.

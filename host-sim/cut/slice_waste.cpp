@@ -12,12 +12,13 @@
 namespace sim::cut {
 namespace {
 
-/// Least length of a slice, mm. A shorter slice is not worth a pierce, because waste so narrow
-/// breaks by itself.
+/// Least length of a slice, mm. A shorter slice is not worth a pierce, because waste this narrow
+/// breaks without a cut.
 constexpr double kShortestSlice = 0.05;
 constexpr double kReachInKerfs = 10.0;
 
-/// Index of the areas inside closed lines that are cut. The waste of the sheet is outside of them.
+/// Index of the areas inside closed lines that are cut. The waste of the sheet is outside of these
+/// areas.
 class InsideOfCuts {
  public:
   InsideOfCuts(const CutPlan& plan, const drawing::Drawing& drawn, double cell_mm)

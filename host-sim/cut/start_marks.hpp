@@ -11,7 +11,7 @@ namespace sim::cut {
 
 /// Returns, for each contour of the drawing, the point that the user has marked as its start, if
 /// any. A mark is a small circle or a short line on a layer with side=start. It marks the contour
-/// nearest to it. The point is the middle of the mark.
+/// that is nearest to the mark. The returned point is the middle of the mark.
 /// @param sides side of each contour
 /// @param faults receives marks that are far from all contours, and further marks of a contour that
 /// already has one

@@ -69,8 +69,8 @@ struct HalfSweep {
 
 [[nodiscard]] double length_of(const std::vector<Stroke>& row);
 
-/// A row of strokes, with the distance along the row to the start of each stroke. With it, searches
-/// for a distance need not begin at the start of the row.
+/// A row of strokes, with the distance along the row to the start of each stroke. Thanks to these
+/// distances, a search for a point need not begin at the start of the row.
 class MeasuredRow {
  public:
   explicit MeasuredRow(std::vector<Stroke> row);
@@ -81,10 +81,10 @@ class MeasuredRow {
   /// Returns the distance along the row to the start of a stroke, or to the end of the row, mm.
   [[nodiscard]] double way_to(std::size_t stroke) const { return ways_[stroke]; }
 
-  /// Returns the strokes between two distances from the start. Rests of strokes below a nanometre
-  /// at both ends are not cut off.
+  /// Returns the strokes between two distances from the start. At both ends, rests of strokes
+  /// shorter than a nanometre are not cut off.
   [[nodiscard]] std::vector<Stroke> stretch(double from_mm, double to_mm) const;
-  /// Returns the strokes of a closed row, once around from the point at `way_mm`.
+  /// Returns the strokes of a closed row, from the point at `way_mm` once around to the same point.
   [[nodiscard]] std::vector<Stroke> begun_at(double way_mm) const;
   /// Return the unit direction in which a closed row arrives at a point, and the unit direction in
   /// which it continues from there.

@@ -8,8 +8,8 @@
 namespace sim::cut {
 namespace {
 
-/// Height of an arc below which it counts as a line here, mm. Its centre would have no correct
-/// digits.
+/// Height of an arc, mm, below which the arc counts as a line here, because its centre would have
+/// no correct digits.
 constexpr double kFlatMm = 1.0e-7;
 
 bool is_line(const Stroke& stroke) {

@@ -38,8 +38,8 @@ void SweptArea::add(const Place& centre, double radius_mm) {
   group.widest_mm = std::max(group.widest_mm, radius_mm);
 }
 
-/// Calls `visit` with the cell and the number of each group that may contain or nearly reach a
-/// point.
+/// Calls `visit` with the cell and the number of each group that may contain a point, or may be
+/// within kReachMm of it.
 template <typename Visit>
 void SweptArea::visit_groups(const Place& place, const Visit& visit) const {
   const double reach = widest_mm_ + kReachMm;
@@ -62,7 +62,8 @@ double SweptArea::depth_of(const Place& place) const {
       depth = std::max(depth, disc.radius_mm - drawing::distance(disc.centre, place));
     }
   };
-  // The nearest group is measured first, so that few other groups can be deeper.
+  // The nearest group is measured first. Most other groups can then be skipped, because no point of
+  // them is deeper.
   const Cell* nearest_cell = nullptr;
   std::size_t nearest = 0;
   double least = std::numeric_limits<double>::infinity();

@@ -13,7 +13,7 @@ namespace sim::cut {
 /// The area that many discs cover. It stores the discs in cells of the plane.
 class SweptArea {
  public:
-  /// Greatest distance from the discs that is measured outside of them, mm.
+  /// Greatest distance that depth_of() measures outside of the discs, mm.
   static constexpr double kReachMm = 0.25;
 
   void add(const Place& centre, double radius_mm);

@@ -98,7 +98,8 @@ class TimelineMaker {
   }
 
   ControllerClock clock_;
-  Timeline timeline_;  ///< The steps. Before finish(), only rests have times, which begin at 0.
+  /// The steps. Before finish(), only the times of rests are known, which begin at 0.
+  Timeline timeline_;
   Place here_;
 };
 
@@ -128,7 +129,7 @@ std::vector<CutRange> ranges_of(const CutPlan& plan) {
   return ranges;
 }
 
-/// Returns the cuts that must be driven to predict the times of a range. The reading ahead of the
+/// Returns the cuts that must be driven to predict the times of a range. The look-ahead of the
 /// controller depends on the latest motions, so cuts before the range are driven, too. Cuts after
 /// the range are driven because the job does not end with the last motion of the range.
 CutRange driven_for(const CutPlan& plan, const CutRange& range) {
@@ -144,7 +145,7 @@ CutRange driven_for(const CutPlan& plan, const CutRange& range) {
   return driven;
 }
 
-/// Returns the steps of a range of cuts. The time of the first step is arbitrary.
+/// Returns the steps of a range of cuts. The first step begins at an arbitrary time.
 Timeline timeline_of(const CutPlan& plan, const CutRange& range) {
   const CutRange driven = driven_for(plan, range);
   OrderWish machine = plan.order.wish;

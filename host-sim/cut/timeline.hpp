@@ -19,8 +19,8 @@ enum class TimeKind : std::uint8_t {
   kCornerLoop,
   kCornerDwell,
   kRapid,
-  kWait,      ///< At rest with the beam off before a pierce, until the sheet is cooler.
-  kOverscan,  ///< Before, between and after the lines of filled areas, with the beam off.
+  kWait,      ///< Rests with the beam off before a pierce, until the sheet is cooler.
+  kOverscan,  ///< Motions with the beam off before, between and after the lines of filled areas.
 };
 inline constexpr std::size_t kTimeKinds = 9;
 
@@ -32,8 +32,8 @@ inline constexpr std::size_t kTimeKinds = 9;
 /// One motion or rest of a job.
 struct TimeStep {
   TimeKind kind = TimeKind::kRapid;
-  /// Number of the cut of this step. The rapid before a cut has the number of this cut. The rapid
-  /// to the end of the job has the number of cuts.
+  /// Number of the cut to which the step belongs. The rapid before a cut belongs to this cut. The
+  /// rapid to the end of the job has the number of cuts.
   std::size_t cut = 0;
   Stroke path{};  ///< Path of the step. For a rest, both ends are the same point.
   double begin_s = 0.0;

@@ -11,7 +11,8 @@ namespace sim::cut {
 
 /// A cut before its beginning and its position in the order are chosen.
 struct UnbegunCut {
-  MeasuredRow path;      ///< Path with the part on its left; for an open line, the line.
+  /// Path of the cut, with the part on its left. For an open line, the line itself.
+  MeasuredRow path;
   bool is_open = false;  ///< Whether the path is open: it ends at another point than its start.
   /// Whether the path follows edges that parts share; see shared_edges().
   bool is_on_edge = false;

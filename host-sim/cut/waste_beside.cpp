@@ -55,8 +55,8 @@ Contour waste_beside(const std::vector<const std::vector<Stroke>*>& rows, bool i
     append_loops(inside.view(), drawn);
   }
   Contour waste = filled_area(drawn);
-  // The filling rule takes the overlap of two parts for waste, because an odd number of contours
-  // encloses it. This check detects such an overlap.
+  // The filling rule treats the overlap of two parts as waste, because an odd number of contours
+  // encloses the overlap. This check detects such an overlap.
   if (std::abs(signed_area_of(waste) - waste_mm2) > kMinFilledWidthMm * length_mm) {
     throw NoOffset{rows.front()->front().from,
                    "this contour, or one near it, overlaps another contour",

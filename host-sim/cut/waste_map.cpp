@@ -8,7 +8,7 @@
 namespace sim::cut {
 namespace {
 
-/// Least step along a path, mm. It is below the accuracy of the beam's path.
+/// Least step along a path, mm. It is smaller than the accuracy of the path of the beam.
 constexpr double kShortestStep = 1.0e-3;
 /// Share of the spare distance that one step advances. A step over the whole spare distance would
 /// end at the limit, on either side of it because of rounding.

@@ -27,8 +27,8 @@ class WasteMap {
                               double from_lines_mm,
                               double from_tabs_mm) const;
 
-  /// Returns the stretches of a straight path that keep `from_lines_mm` from lines, as pairs of
-  /// distances from its start. The pairs are accurate to a micrometre.
+  /// Returns the stretches of a straight path that keep `from_lines_mm` from lines. Each pair has
+  /// the distances from the start of the path to both ends of a stretch, accurate to a micrometre.
   [[nodiscard]] std::vector<std::pair<double, double>> clear_stretches(const Place& from,
                                                                        const Place& to,
                                                                        double from_lines_mm) const;

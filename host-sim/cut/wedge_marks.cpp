@@ -11,11 +11,11 @@
 namespace sim::cut {
 namespace {
 
-/// Greatest distance from the end of a closed path of a point that is taken as the start of the
-/// path, mm.
+/// Distance from the end of a closed path within which a point counts as the start of the path, mm.
 constexpr double kSameEnd = 1.0e-6;
-/// Least distance from the outlines at the end of a line, as a share of half a kerf. Along the
-/// line, the least distance grows in proportion to the length.
+/// Least distance between the outlines and the end of a line from a node, as a share of half a
+/// kerf. At other points of the line, the least distance is proportional to the distance from the
+/// node.
 constexpr double kGains = 0.4;
 
 /// Returns the angle from one direction, turning left, to another one, radians, above 0.

@@ -74,7 +74,7 @@ class WedgeMarks {
   const Clearance& near_;
   double half_;
   Clearance strokes_;
-  /// Path of each stroke, and its number in the path.
+  /// For each stroke, its path and its number in this path.
   std::vector<std::pair<std::size_t, std::size_t>> owners_;
 };
 

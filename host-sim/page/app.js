@@ -1,5 +1,5 @@
-// Connects the parts of the page: news of the server go to the displays, actions of the controls to
-// the sender and the job.
+// Connects the parts of the page: passes news of the server to the displays, and actions of the
+// controls to the sender and the job.
 
 import { Job } from './job.js';
 import { listenToKeys } from './keys.js';
@@ -18,7 +18,9 @@ const kFeed = { all: 0x90, plus10: 0x91, minus10: 0x92, plus1: 0x93, minus1: 0x9
 const kPower = { all: 0x99, plus10: 0x9A, minus10: 0x9B, plus1: 0x9C, minus1: 0x9D };
 const kRapid = { 100: 0x95, 50: 0x96, 25: 0x97 };
 const kTryAgainLater = 1013;
-const kHadControl = 'control'; // Key in the tab's memory: a reloaded page takes control again.
+// Key in the session storage of the tab. It makes a reloaded page take control again if it had
+// control.
+const kHadControl = 'control';
 
 const at = (id) => document.getElementById(id);
 const sender = new Sender();
@@ -66,7 +68,8 @@ function slide(id, index, codes) {
   at(id).addEventListener('change', () => override(codes, news.overrides[index], Number(at(id).value)));
 }
 
-// Shows the first fault of the program; without faults, the first note about left-out parts of it.
+// Shows the first fault of the program. Without faults, shows its first note: on stale inputs, or
+// on parts of the file that were left out.
 function tellFaults({ faults, count, notes }) {
   const first = faults[0] ?? notes[0];
   if (!first) return;
@@ -127,7 +130,7 @@ async function showOther() {
   }
 }
 
-// Reacts to changes of job and alarm since the news `before`.
+// Reacts to differences of the job and the alarm between the present news and the news `before`.
 function follow(before) {
   if (news.job.state !== 'none' && news.job.id !== job.id && before?.job.id !== news.job.id && !job.opening) {
     showOther();
@@ -158,7 +161,7 @@ observer.addEventListener('lost', () => {
   enable();
 });
 
-// `ready` comes after a reset, too. The notice with the reason why a job stopped must survive it.
+// `ready` also comes after a reset. The notice with the reason why a job stopped must stay then.
 sender.addEventListener('ready', () => {
   if (!controls) notice.clear();
   controls = true;
@@ -183,7 +186,8 @@ at('control').onclick = () => {
 };
 at('file').onchange = async () => {
   const file = at('file').files[0];
-  at('file').value = ''; // The operator may choose the same file again after changing it.
+  // Without this, choosing the same file again after a change would cause no event.
+  at('file').value = '';
   if (file) await open(file);
 };
 at('run').onclick = run;
@@ -210,7 +214,8 @@ for (const button of document.querySelectorAll('[data-rapid]')) {
 }
 for (const button of document.querySelectorAll('[data-jog]')) button.onclick = () => jog(button.dataset.jog);
 
-// Warns the operator who closes the page, because the job continues without it.
+// Warns an operator who closes the page while a job runs or the machine is not idle, because the
+// machine continues without the page.
 addEventListener('beforeunload', (event) => {
   if (!leavesBehind(news, controls)) return;
   event.preventDefault();

@@ -1,5 +1,5 @@
-// Copy of the server's job for the page. The server sends the job to the machine, even without a
-// page. A page opens a program, orders the server to run it, and shows its progress.
+// The job of the server, as the page shows it. The server sends the job to the machine, even if no
+// page is open. A page opens a program, orders the server to run it, and shows its progress.
 
 const kAgainMs = 150;
 
@@ -25,8 +25,9 @@ export class Job {
   // Loads the program that the server has, whichever page opened it. Returns as open() does.
   async restore() { return this.#take(await fetch('job')); }
 
-  // Each function sends an order. It returns {} if the server follows the order, otherwise the
-  // reason: { waits } or { faults }. `page` is the key of the page that has control.
+  // Each of these functions sends an order. It resolves with {} if the server follows the order,
+  // otherwise with the reason: { waits } or { faults }. `page` is the key of the page that has
+  // control.
   run(page, accepted) { return this.#order('job/run', { id: this.id, page, accepted }); }
   resume(page) { return this.#order('job/resume', { id: this.id, page }); }
   stop(page) { return this.#order('job/stop', { id: this.id, page }); }
@@ -38,7 +39,7 @@ export class Job {
     return { faults, count, notes: notes ?? [] };
   }
 
-  // Sends an order. While the server still judges the program, the order is repeated.
+  // Sends an order. Repeats it while the server has not finished its judgement of the program.
   async #order(path, order) {
     for (;;) {
       const answer = await fetch(path, { method: 'POST', body: JSON.stringify(order) });

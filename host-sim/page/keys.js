@@ -1,5 +1,6 @@
-// Keyboard shortcuts. A key clicks its button, so that the key of a disabled button has no effect.
-// Keys that move the machine, or change its zero or operator, require Shift. A hold does not.
+// Keyboard shortcuts. A key clicks its button, so that it has no effect if the button is disabled.
+// Keys that move, stop or reset the machine, change its zero, or take or release control require
+// Shift. The keys for a hold and for the end of a jog do not.
 
 const kJogs = {
   ArrowLeft: 'X-1', ArrowRight: 'X1', ArrowUp: 'Y1', ArrowDown: 'Y-1', PageUp: 'Z1', PageDown: 'Z-1',
@@ -23,7 +24,7 @@ export function listenToKeys(actions) {
     if (target.matches('input[type="range"]') && event.key.startsWith('Arrow')) return;
     if (press(event, actions)) event.preventDefault();
   });
-  // The blank key holds the machine, so it must not also click the focused button.
+  // The space bar holds the machine, so it must not also click the focused button.
   document.addEventListener('keyup', (event) => {
     if (event.key === ' ' && event.target.matches('button, a')) event.preventDefault();
   });

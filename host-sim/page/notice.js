@@ -9,7 +9,8 @@ export class Notice {
     element.querySelector('button').onclick = () => this.clear();
   }
 
-  // Shows a sentence. `ends` is called with all news, and returns whether the cause has ended.
+  // Shows a sentence. `ends` is called with each news message, and returns whether the cause of the
+  // sentence has ended.
   tell(text, ends = () => false) {
     this.#element.querySelector('span').textContent = text;
     this.#element.hidden = false;

@@ -3,7 +3,8 @@
 const kRetryMs = 1000;
 
 export class Observer extends EventTarget {
-  path = []; // Path so far: x, y (mm), speed (mm/s) and move of each vertex.
+  // Path that was driven so far: x, y (mm), speed (mm/s) and move (kind of motion) of each vertex.
+  path = [];
 
   constructor() {
     super();

@@ -1,13 +1,14 @@
-// Reasons why controls of the page are disabled. The server decides for what a job waits
-// (run_conditions.hpp). The page itself knows only whether it has control.
+// Reasons why controls of the page are disabled. The server determines the condition for which a
+// job waits (run_conditions.hpp). The page itself only determines whether it has control.
 
 const kHeldByHold = ['Run', 'Jog'];
 const kOnlyRealtime = 'a job runs: only hold, resume, stop, reset and overrides act';
 
 const kOpening = 'the program that is being opened';
 
-// Returns, for each kind of control, the reason why it is disabled; empty if it is enabled.
-// `opening` is true while a program is being sent to the server, which still has the earlier one.
+// Returns, for each kind of control, the reason why it is disabled; an empty text if it is enabled.
+// `opening` is true while a program is being sent to the server. Until that ends, the server still
+// has the program before it.
 export function reasons(news, controls, opening) {
   const state = news?.state;
   const job = news?.job;
@@ -38,7 +39,7 @@ function waitsForControl(news, controls) {
   return news.sender === 'page' ? 'control, which another page has' : 'control: take control';
 }
 
-// Returns whether a job would run on, or the machine would not be idle, if the tab were closed now.
+// Returns whether closing the tab now would leave a running job or a machine that is not idle.
 export function leavesBehind(news, controls) {
   if (!controls || !news) return false;
   return news.job.state === 'running' || news.state !== 'Idle';

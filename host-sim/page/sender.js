@@ -1,7 +1,8 @@
 // G-code sender over the WebSocket of the page. It sends lines by character counting, and realtime
 // bytes immediately. While a job of the server runs, the page may send only realtime bytes.
 
-const kJobRuns = '[MSG:A job of the page runs]'; // Sent by the server in place of the greeting.
+// Line that the server sends instead of a greeting.
+const kJobRuns = '[MSG:A job of the page runs]';
 const kPageKey = /^\[PAGE:(\w+)\]$/; // Key with which this page orders jobs while it has control.
 const kStandardBuffer = 128; // Receive buffer that every Grbl controller has, bytes.
 

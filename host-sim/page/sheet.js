@@ -1,6 +1,6 @@
-// Page on which the parts of a sheet are placed. After each change the server computes the outlines
-// of the placed parts, as `cut` reads them, and the faults. The page shows both, and moves the
-// outlines while they are dragged.
+// Page on which the user places the parts of a sheet. After each change, the server computes the
+// faults and the outlines of the placed parts as `cut` reads them. The page shows both. While the
+// user drags a part, the page moves its outlines itself.
 
 import { Notice } from './notice.js';
 import { SheetModel, round } from './sheet_model.js';
@@ -68,8 +68,8 @@ function list() {
   at('sum').textContent = count === 0 ? '' : `${model.sheet.parts.length} parts, ${count} copies${model.isChanged ? ', not saved' : ''}`;
 }
 
-// Shows the values of the sheet in the fields. The focused field keeps its text, unless it is
-// `refused`.
+// Shows the values of the sheet in the fields. The focused field keeps its text, unless it is the
+// field `refused`, whose text was refused.
 function fill(refused = null) {
   const put = (input, value) => {
     if (input === refused || input !== document.activeElement) input.value = value;
@@ -196,8 +196,8 @@ async function openSheet(file) {
   } catch (error) {
     return notice.tell(`${file.name} is not opened: ${error.message}`);
   }
-  // The reply omits parts with faults. Such a sheet is not opened, because saving it would lose
-  // these parts.
+  // The reply omits parts with faults. If it omits a part, the sheet is not opened, because saving
+  // it would lose this part.
   const reply = await post(JSON.stringify({ sheet, drawings: {} }));
   const count = Array.isArray(sheet?.parts) ? sheet.parts.length : -1;
   if (reply.sheet?.parts.length !== count || !reply.sheet.stock) {
@@ -233,8 +233,8 @@ function remove() {
   refresh();
 }
 
-// Calls `act` with the number in a field after each change. If the text is no number in the field's
-// range, the browser reports it, and the earlier value is restored.
+// Calls `act` after each change of a field, with the number in the field. If the text is no number
+// in the range of the field, the browser reports this, and the earlier value is restored.
 const whenValid = (input, act) => {
   input.onchange = () => (input.reportValidity() && input.value !== '' ? act(Number(input.value)) : fill(input));
 };

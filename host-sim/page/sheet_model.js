@@ -1,6 +1,6 @@
 // Sheet that is being edited: stock, parts, positions, and texts of the drawings that were added.
-// Drawings have the names that the sheet file uses. An added file belongs to the parts whose
-// drawing has the same name, in whatever folder.
+// Drawings have the names that the sheet file uses. An added file is the drawing of all parts whose
+// drawing has the same file name, in any folder.
 
 const baseName = (path) => path.split('/').at(-1);
 const stem = (path) => baseName(path).replace(/\.[^.]*$/, '');
@@ -88,7 +88,7 @@ export class SheetModel {
     return name;
   }
 
-  // Removes a part, also from the `after` lists of other parts.
+  // Removes a part. Also removes it from the `after` lists of other parts.
   #removePart(index) {
     const [gone] = this.sheet.parts.splice(index, 1);
     for (const part of this.sheet.parts) {
@@ -100,5 +100,5 @@ export class SheetModel {
   }
 }
 
-// Rounds to micrometres, so that sums have no rounding errors in their printed digits.
+// Rounds to micrometres, so that sums are printed without the digits of rounding errors.
 export const round = (mm) => Math.round(mm * 1000) / 1000;

@@ -1,4 +1,4 @@
-// Canvas with the path so far, coloured by speed, the path of the job, and the tool.
+// Canvas that shows the path driven so far, coloured by speed, the path of the job, and the tool.
 
 const kMargin = 0.08; // Margin around the fitted paths, as a share of the canvas.
 const kTravel = 0;
@@ -69,7 +69,8 @@ export class View {
     this.#drawTool(context);
   }
 
-  // Returns the zero of machine coordinates in motor positions since power-up, which the path uses.
+  // Returns the position of the machine zero in the coordinates of the path, which are motor
+  // positions since power-up.
   #origin() {
     const news = this.news;
     return news ? [0, 1].map((axis) => news.motors[axis] - news.mpos[axis]) : [0, 0];
@@ -147,7 +148,8 @@ export class View {
     context.stroke();
   }
 
-  // Draws the path so far. Consecutive moves of the same colour are one stroke of the canvas.
+  // Draws the path driven so far. Consecutive moves of the same colour are one stroke of the
+  // canvas.
   #drawPath(context) {
     const fastest = this.fastest || 1;
     let colour = null;

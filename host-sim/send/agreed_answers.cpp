@@ -12,16 +12,17 @@
 namespace sim {
 namespace {
 
-/// In this many rounds, a line that damages one byte in 80 spoils a fact of 20 bytes every time
-/// with a probability of 0.2 %; a line that damages one byte in 600 does so with a probability of
-/// 1e-6.
+/// Number of rounds after which a fact that never arrived counts as missing. A link that damages
+/// one byte in 80 damages a fact of 20 bytes in all of these rounds with a probability of 0.2 %.
+/// For a link that damages one byte in 600, the probability is 1e-6.
 constexpr std::size_t kRoundsUntilMissing = 4;
-/// A fact that arrives at most once in this many rounds is a damaged copy of another fact. A real
-/// fact arrives so rarely with a probability of 1e-7 at worst.
+/// Number of rounds for the detection of damaged names. A name that arrives at most once in this
+/// number of rounds is a damaged copy of another name. The name of a real fact arrives so rarely
+/// with a probability of 1e-7 at worst.
 constexpr std::size_t kRoundsOfStray = 8;
-/// Arrivals of a form that settle it. Damage may turn 12000 into 1200 by the loss of any of its
-/// zeros, so that the same wrong form may arrive again. If one byte in 200 is damaged, that happens
-/// twice in a row in one of 400 listings.
+/// Number of arrivals after which a form of a fact is settled. Damage may turn 12000 into 1200 by
+/// the loss of any of its zeros, so the same wrong form may arrive again. If one byte in 200 is
+/// damaged, the same wrong form arrives twice in succession in one of 400 listings.
 constexpr std::size_t kAlike = 3;
 
 constexpr std::string_view kStatus = "<";
@@ -102,8 +103,8 @@ bool AgreedAnswers::is_missing(const Forms& forms) const {
   return rounds_ >= rounds;
 }
 
-/// Returns the form that has arrived most often; null if it has arrived too rarely, or if another
-/// form has arrived as often.
+/// Returns the form that has arrived most often. Returns null if it has arrived fewer than kAlike
+/// times, or if another form has arrived as often.
 const std::string* AgreedAnswers::settled_form(const Forms& forms) {
   const std::string* settled = nullptr;
   std::size_t most = kAlike - 1;

@@ -8,10 +8,11 @@
 
 namespace sim {
 
-/// Facts that a Kerfline reports without a check, over a line that damages bytes: settings (`$$`),
-/// offsets (`$#`), modes (`$G`), the state and the position (`?`, 0x87), and the progress of a job
-/// (`$RESUME`). The questions are asked in rounds. A fact is settled when one form of it has
-/// arrived three times or more, and no other form has arrived as often.
+/// Collects the facts that Kerfline reports without a check, over a link that damages bytes. The
+/// facts are settings (`$$`), offsets (`$#`), modes (`$G`), the state and the position (`?`, 0x87),
+/// and the progress of a job (`$RESUME`). The sender repeats the questions in rounds. A form is the
+/// text of a fact as it arrived. A fact is settled when one form of it has arrived three times or
+/// more, and no other form has arrived as often.
 class AgreedAnswers {
  public:
   /// @param resume whether `$RESUME` is one of the questions
@@ -23,8 +24,9 @@ class AgreedAnswers {
   void end_round() { ++rounds_; }
 
   /// Returns the names of the facts that are not settled, such as `$130` or `[G54:`. The result is
-  /// empty when all facts are settled. A fact counts as one that this controller does not have if
-  /// it never arrived in the first four rounds, or if it arrived in at most one round in eight.
+  /// empty when all facts are settled. A fact is left out if this controller does not have it: if
+  /// the fact never arrived in the first four rounds, or if it arrived in at most one round in
+  /// eight.
   [[nodiscard]] std::vector<std::string> open() const;
   /// Returns one line for each settled fact, settings first, as the controller would send it.
   [[nodiscard]] std::vector<std::string> lines() const;
@@ -36,8 +38,9 @@ class AgreedAnswers {
   [[nodiscard]] bool is_missing(const Forms& forms) const;
   [[nodiscard]] static const std::string* settled_form(const Forms& forms);
 
-  std::map<std::string, Forms, std::less<>> facts_;  ///< Forms of each fact, by name; '$' comes
-                                                     ///< before '<' and '['.
+  /// Forms of each fact, by the name of the fact. In this order, names with '$' come before names
+  /// with '<' and '['.
+  std::map<std::string, Forms, std::less<>> facts_;
   std::size_t rounds_ = 0;
 };
 

@@ -12,23 +12,23 @@ enum class AnswerKind : std::uint8_t {
   kOk,       ///< `text` is the rest of the line after `ok`; most controllers send none.
   kError,    ///< `code` is the number of the error.
   kAlarm,    ///< `code` is the number of the alarm.
-  kBanner,   ///< The controller has restarted.
-  kStatus,   ///< Has `state`, and `waiting_room` if the report has it.
-  kOptions,  ///< `[OPT:`, with `waiting_room`.
-  kMessage,  ///< `[MSG:`; `text` has its words.
-  kResend,   ///< Line `number` is to be sent again; `line` is the last line that was taken.
+  kBanner,   ///< The greeting of a controller that has started.
+  kStatus,   ///< A status report: `state`, and `waiting_room` if the report has it.
+  kOptions,  ///< The options, `[OPT:`, with `waiting_room`.
+  kMessage,  ///< A message, `[MSG:`; `text` has its words.
+  kResend,   ///< A request to send line `number` again; `line` is the last line that was accepted.
 };
 
 /// Content of a line from a controller (Grbl or Kerfline), as a sender interprets it.
 struct Answer {
   AnswerKind kind = AnswerKind::kOther;
-  bool checked = false;  ///< The line ended with a correct CRC-32.
+  bool checked = false;  ///< Whether the line ended with a correct CRC-32.
   std::uint32_t code = 0;
   std::uint32_t number = 0;
   std::optional<std::uint32_t> line{};          ///< Number of the answered line, from ` N12`.
   std::string state{};                          ///< State of the machine, such as `Hold:0`.
   std::optional<std::uint32_t> waiting_room{};  ///< Free space for lines, bytes.
-  bool moves = false;                           ///< The status reports a feed that is not 0.
+  bool moves = false;  ///< Whether the status report has a feed that is not 0.
   std::string text{};
 };
 

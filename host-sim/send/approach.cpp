@@ -18,7 +18,8 @@ using cnc::kAxisCount;
 
 constexpr std::size_t kZ = 2;
 
-/// The lines so far, read by the controller's own interpreter from a given start position.
+/// Reads the lines before the approach with the interpreter of the controller, from a given start
+/// position of all axes.
 class Reading {
  public:
   explicit Reading(Coordinate from) {
@@ -49,8 +50,8 @@ class Reading {
   Coordinate highest_{};
 };
 
-/// Returns the motion word that the line needs because it relies on the mode of an earlier line. G0
-/// and G1 need none: the approach sets them anyway.
+/// Returns the motion word that the line requires because it relies on the motion mode of an
+/// earlier line. G0 and G1 require no word here, because the approach sets them.
 std::string motion_of(const cnc::gcode::ModalState& state, const JobLine& line) {
   using cnc::gcode::MotionMode;
   const bool names_it = line.text.find_first_of("Gg$") != std::string::npos;
@@ -73,8 +74,8 @@ std::string motion_of(const cnc::gcode::ModalState& state, const JobLine& line) 
 }  // namespace
 
 Approach approach_to(const JobLines& job, std::size_t index, bool laser) {
-  // Two start positions farther out than any machine reaches. A result that differs between them
-  // depends on the start position.
+  // Two start positions beyond the range of any machine. A result that is different for the two
+  // positions depends on the start position.
   const Coordinate here{123'456'789'123};
   const Coordinate there{-198'765'432'198};
   Reading one{here};
@@ -119,7 +120,7 @@ Approach approach_to(const JobLines& job, std::size_t index, bool laser) {
     add("G0Z" + coordinate_text(other.highest() - offset));
   }
   if (!over.empty()) add("G0" + over);
-  // A mill plunges with its spindle already on; a beam has to stay off until it is at its Z.
+  // A mill plunges with its spindle already on. A beam has to stay off until Z is at its position.
   if (laser && !down.empty()) add("G0" + down);
   add(process_of(state));
   if (!laser && !down.empty()) add((state.feed > 0.0F ? "G1" : "G0") + down);

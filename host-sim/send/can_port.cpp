@@ -16,7 +16,7 @@ namespace {
 
 namespace can = cnc::can;
 
-/// Four heartbeats of a node. A node that is not on the bus at all is not waited for any longer.
+/// Time of silence after which a node counts as not on the bus: four of its heartbeats.
 constexpr std::chrono::milliseconds kNodeSilence{2000};
 constexpr std::chrono::milliseconds kMaxAway{20};
 
@@ -55,8 +55,8 @@ class SlcanHostWire final : public CanWire {
   std::string address() const override { return device_; }
 
  private:
-  /// Checks for a hang-up: read() gives the same result for a serial port without data and for one
-  /// that was pulled out.
+  /// Checks for a hang-up with poll(), because read() gives the same result for a serial port
+  /// without data and for a disconnected port.
   void look_for_hang_up() {
     pollfd state{terminal_.number(), POLLIN, 0};
     if (::poll(&state, 1, 0) > 0 && (state.revents & (POLLHUP | POLLERR | POLLNVAL)) != 0) {
@@ -126,7 +126,8 @@ std::string CanNodePort::take_news() {
 void CanNodePort::attend() {
   using std::chrono::microseconds;
   const auto now = Clock::now();
-  // The offset makes the first heartbeat due at once.
+  // `host_` receives this time plus one heartbeat period, so that the first heartbeat is due
+  // immediately.
   const auto passed = std::chrono::floor<microseconds>(now - begun_).count();
   wire_->carry();
   if (!started_) started_ = host_.order(can::NetworkCommand::kStart);
@@ -137,7 +138,7 @@ void CanNodePort::attend() {
 }
 
 void CanNodePort::hear_news(Clock::time_point now) {
-  // Time in which this host did not listen does not count as silence of the node.
+  // Only time in which this host listened counts as silence of the node.
   silent_ += std::min<Clock::duration>(now - looked_, kMaxAway);
   looked_ = now;
   if (host_.frames() != frames_heard_) silent_ = {};
@@ -145,8 +146,8 @@ void CanNodePort::hear_news(Clock::time_point now) {
   for (; emergencies_ < host_.emergencies().size(); ++emergencies_) {
     const CanHost::Emergency& emergency = host_.emergencies()[emergencies_];
     news_.push_back(fmt::format("node {}: {}", node_, emergency_text(emergency)));
-    // These codes end the session. An alarm does not: the node reports it, with its number, as text
-    // as well.
+    // These codes end the session. The code of an alarm does not, because the node also reports the
+    // alarm with its number as text.
     const bool ends = emergency.code == can::kFramesLost || emergency.code == can::kHostSilent;
     if (ends && trouble_.empty()) trouble_ = news_.back();
   }

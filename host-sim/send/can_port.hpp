@@ -41,9 +41,10 @@ class CanNodePort final : public Port {
   CanHost host_;
   Clock::time_point begun_ = Clock::now();
   Clock::time_point looked_ = begun_;
-  Clock::duration silent_{};        ///< Time without a frame while this host listened.
-  std::uint32_t frames_heard_ = 0;  ///< Frames of the node at the last call of hear_news().
-  std::size_t emergencies_ = 0;     ///< Number of emergency messages already reported.
+  Clock::duration silent_{};  ///< Time without a frame while this host listened.
+  /// Number of frames of the node at the last call of hear_news().
+  std::uint32_t frames_heard_ = 0;
+  std::size_t emergencies_ = 0;  ///< Number of emergency messages already reported.
   bool started_ = false;
   std::deque<std::string> news_;
   std::string trouble_;

@@ -14,7 +14,7 @@ struct CodeRemedy {
   std::string_view remedy;  ///< One or two sentences for the operator.
 };
 
-/// Return one entry for each alarm or error number of the firmware, and no others.
+/// Return one entry for each alarm number, or for each error number, of the firmware.
 [[nodiscard]] std::span<const CodeRemedy> alarm_remedies();
 [[nodiscard]] std::span<const CodeRemedy> error_remedies();
 
@@ -22,7 +22,8 @@ struct CodeRemedy {
 /// firmware does not have but another controller may.
 [[nodiscard]] std::string alarm_words(std::uint32_t number);
 [[nodiscard]] std::string error_words(std::uint32_t number);
-/// Returns the remedy alone, for errors that the controller has explained itself.
+/// Returns the remedy without the description, for an error that the controller has explained
+/// itself.
 [[nodiscard]] std::string_view error_remedy(std::uint32_t number);
 
 }  // namespace sim

@@ -11,7 +11,8 @@ namespace {
 
 using cnc::gcode::is_blank;
 
-/// Returns the G-code of a line without comments and blanks; an open comment ends with the line.
+/// Returns the G-code of a line without comments and blanks. A comment that is not closed ends with
+/// the line.
 std::string code_of(std::string_view line) {
   std::string kept;
   bool comment = false;

@@ -17,8 +17,7 @@ struct JobLine {
   std::uint32_t n = 0;     ///< Line number N that is sent with the line; 0 for none.
 };
 
-/// The lines of a job. A job of many lines takes the bytes of its text, and eight bytes more for
-/// each line.
+/// The lines of a job. They occupy the bytes of their text in memory, plus eight bytes per line.
 class JobLines {
  public:
   /// @param numbered whether each line is sent with its position in the job, from 1, as N
@@ -53,7 +52,7 @@ class JobLines {
 struct JobPart {
   std::shared_ptr<const JobLines> lines;
   std::size_t first = 0;
-  std::string motion{};  ///< Words in front of the first line, see Approach.
+  std::string motion{};  ///< Words to insert at the start of the first line; see Approach.
 
   [[nodiscard]] std::size_t size() const { return lines->size() - first; }
   [[nodiscard]] bool empty() const { return size() == 0; }
@@ -62,20 +61,21 @@ struct JobPart {
 };
 
 /// Returns the lines of a program that have to be sent. Comments, blanks, empty lines and names of
-/// programs (`%`, `O1234`, `:1234`) are left out: they mean nothing to a controller, cost time, and
-/// are refused by some controllers. `$` lines are kept as they are, with their blanks.
+/// programs (`%`, `O1234`, `:1234`) are left out, because they have no effect on a controller, take
+/// time, and are refused by some controllers. `$` lines keep their blanks.
 /// @param program text that prepare_program() has returned
 /// @param numbered whether each line gets its position in the job, from 1, as N in place of its own
 ///     N, so that a controller can report the line that it has reached
 [[nodiscard]] JobLines read_job(std::string_view program, bool numbered = false);
 
-/// kLongestSentLine: characters that a controller takes in a line, without comments and blanks.
-/// kSentNumber and kSentCheck: characters of these that the sender's own number and check take.
+/// kLongestSentLine is the number of characters that a controller accepts in a line, without
+/// comments and blanks. Of these, kSentNumber and kSentCheck are the numbers of characters that the
+/// number and the check of the sender occupy.
 inline constexpr std::size_t kLongestSentLine = 256;
 inline constexpr std::size_t kSentNumber = 8;
 inline constexpr std::size_t kSentCheck = 9;
 
-/// Returns the first line of more than `most` characters; nothing if no line is too long.
+/// Returns the first line with more than `most` characters; nothing if no line is too long.
 [[nodiscard]] std::optional<JobLine> line_too_long(const JobLines& job, std::size_t most);
 
 }  // namespace sim

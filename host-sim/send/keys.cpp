@@ -8,7 +8,7 @@ namespace sim {
 Keys::Keys() {
   termios mode{};
   if (::isatty(STDIN_FILENO) == 0 || ::tcgetattr(STDIN_FILENO, &mode) != 0) return;
-  // In a process in the background, a change to the terminal's mode would stop the process.
+  // The system would stop a process in the background that changes the mode of the terminal.
   if (::tcgetpgrp(STDIN_FILENO) != ::getpgrp()) return;
   before_ = mode;
   mode.c_lflag &= ~static_cast<tcflag_t>(ICANON | ECHO);

@@ -15,7 +15,7 @@ class LinesInFlight {
   [[nodiscard]] std::size_t answered() const { return answered_; }
   /// Returns the number of lines that were sent and are not answered.
   [[nodiscard]] std::size_t count() const { return sizes_.size(); }
-  /// Returns the total size of these lines.
+  /// Returns the total size of the lines that were sent and are not answered, bytes.
   [[nodiscard]] std::size_t bytes() const { return bytes_; }
   /// Returns whether all lines before `line` were sent at least once.
   [[nodiscard]] bool were_sent_until(std::size_t line) const { return line <= furthest_; }
@@ -36,7 +36,7 @@ class LinesInFlight {
   std::size_t furthest_ = 0;  ///< Greatest value of next_ so far.
   std::size_t answered_ = 0;
   std::deque<std::size_t> sizes_;  ///< Bytes of each line from answered_ to next_.
-  std::size_t bytes_ = 0;          ///< Sum of sizes_.
+  std::size_t bytes_ = 0;          ///< Sum of sizes_, bytes.
   std::size_t resent_ = 0;
 };
 

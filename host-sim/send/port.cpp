@@ -22,14 +22,14 @@ using hal::host::Descriptor;
 
 namespace {
 
-/// Bytes that may wait in the kernel: 5 ms at 115,200 baud.
+/// Greatest number of bytes that may wait in the kernel. At 115,200 baud, they take 5 ms.
 constexpr int kMaxQueued = 64;
 
 bool is_only_slow() { return errno == EAGAIN || errno == EWOULDBLOCK || errno == EINTR; }
 
 class DescriptorPort final : public Port {
  public:
-  /// @param paced the device is slow, and the kernel reports how many bytes wait
+  /// @param paced whether the device is slow, and the kernel reports how many bytes wait
   DescriptorPort(Descriptor descriptor, bool paced)
       : descriptor_{std::move(descriptor)}, paced_{paced} {}
 
@@ -63,8 +63,8 @@ class DescriptorPort final : public Port {
     if (::ioctl(number(), TIOCOUTQ, &queued) < 0) return kMaxQueued;
     return static_cast<std::size_t>(std::max(0, kMaxQueued - queued));
   }
-  /// Checks for a hang-up: read() gives the same result for a serial port without data and for one
-  /// that was pulled out.
+  /// Checks for a hang-up with poll(), because read() gives the same result for a serial port
+  /// without data and for a disconnected port.
   void look_for_hang_up() {
     pollfd state{number(), POLLIN, 0};
     if (::poll(&state, 1, 0) > 0 && (state.revents & (POLLHUP | POLLERR | POLLNVAL)) != 0) {
@@ -95,7 +95,7 @@ Addresses resolved(const std::string& address) {
   return {found, &::freeaddrinfo};
 }
 
-/// Returns 0, or the error number that tells why there is no connection.
+/// Returns 0 if the connection is made, otherwise the error number of the reason.
 int connect_within(int socket, const addrinfo& place, int milliseconds) {
   if (::connect(socket, place.ai_addr, place.ai_addrlen) == 0) return 0;
   if (errno != EINPROGRESS) return errno;

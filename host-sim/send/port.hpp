@@ -19,20 +19,21 @@ class Port {
   Port& operator=(const Port&) = delete;
   virtual ~Port() = default;
 
-  /// Reads the bytes that have arrived. Returns 0 if no byte has arrived, and if the link is lost:
-  /// see open().
+  /// Reads the bytes that have arrived. Returns 0 if no byte has arrived, but also if the link is
+  /// lost; see open().
   [[nodiscard]] virtual std::size_t read(std::span<char> into) = 0;
-  /// Takes the bytes that can leave soon, and returns how many: lines that wait in an adapter
-  /// cannot be called back.
+  /// Takes the bytes that can be sent soon, and returns their number. More bytes are not taken,
+  /// because lines that wait in an adapter cannot be withdrawn.
   [[nodiscard]] virtual std::size_t write(std::string_view bytes) = 0;
-  /// Takes realtime bytes apart from the lines, and returns how many it took. Returns 0 if the link
-  /// cannot carry them apart; the caller then sends them between two lines.
+  /// Takes realtime bytes to send them separately from the lines, and returns the number of taken
+  /// bytes. Returns 0 if the link cannot do this. The caller then sends the bytes between two
+  /// lines.
   [[nodiscard]] virtual std::size_t act(std::string_view bytes) {
     static_cast<void>(bytes);
     return 0;
   }
   [[nodiscard]] virtual bool open() const = 0;
-  /// Returns why the link is not open any more.
+  /// Returns the reason why the link is not open any more.
   [[nodiscard]] virtual std::string trouble() const { return "the link is gone"; }
   /// Returns the next line of news about the link itself, for the log; empty if there is none.
   [[nodiscard]] virtual std::string take_news() { return {}; }

@@ -24,8 +24,9 @@ std::string refusal_text(std::size_t line, std::uint32_t code, const std::string
 
 constexpr unsigned kIdleReports = 2;
 constexpr const char* kInAlarm = "the controller is in alarm: home or unlock it first";
-/// A Grbl refuses every request to begin checked lines. A line that damages one byte in 80 spoils
-/// some of these requests, but hardly this many in a row.
+/// Number of requests to begin checked lines that the controller may refuse. A Grbl refuses all of
+/// them. A link that damages one byte in 80 spoils some requests, but hardly ever this number of
+/// requests in succession.
 constexpr unsigned kMaxRefused = 12;
 
 }  // namespace
@@ -109,7 +110,8 @@ void Sender::take_status(const Answer& answer) {
   if (state_ == State::kAsking) judge_state();
 }
 
-/// Decides by the machine's state whether lines can be sent: the machine must do nothing else.
+/// Checks by the state of the machine whether lines can be sent. Fails if the controller is in
+/// alarm, unless the options permit that. Resets a held controller if the options require it.
 void Sender::judge_state() {
   const bool alarm = reported_.state.starts_with("Alarm");
   if (alarm && !options_.rests_in_alarm) return fail(kInAlarm);
@@ -127,18 +129,19 @@ void Sender::take_trouble(const Answer& answer) {
     if (!words.empty()) why += ": " + words;
     return fail(state_ == State::kStopping ? trouble_ + "; " + why : std::move(why));
   }
-  // Opening a port may restart a controller, and its banner comes at any later time.
+  // The opening of a port may have restarted the controller. Its banner may arrive at any later
+  // time.
   if (state_ == State::kAsking || state_ == State::kBeginning) {
     answers_owed_ = 0;
     return enter(State::kAsking);
   }
   if (state_ == State::kStopping) return fail(std::move(trouble_));
-  // The job is complete, and a reset ends the numbering of lines, too.
+  // The job is complete. The reset has ended the numbering of lines, too, so nothing is left to do.
   if (state_ == State::kEnding) return enter(State::kDone);
   fail("the controller has restarted");
 }
 
-/// Counts answers: each is for the oldest line in flight.
+/// Counts answers. Each answer belongs to the oldest line in flight.
 void Sender::take_plain(const Answer& answer) {
   switch (state_) {
     case State::kAsking:
@@ -147,7 +150,7 @@ void Sender::take_plain(const Answer& answer) {
       if (answers_owed_ == 0) take_options();
       return;
     case State::kBeginning:
-      // To a line with a number and a check, a Grbl only answers that the line is wrong.
+      // A Grbl answers every line with a number and a check with an error.
       if (answer.kind != AnswerKind::kOk || !answer.checked ||
           answer.line != numbering_.first - 1) {
         if (answer.kind == AnswerKind::kError && questions_ >= kMaxRefused) {
@@ -174,9 +177,9 @@ void Sender::take_checked(const Answer& answer) {
   const bool resend = answer.kind == AnswerKind::kResend;
   if (!resend && !answer.line) return;
   const std::uint32_t count = resend ? answer.number - 1 : *answer.line;
-  if (count + 1 < numbering_.first) return;  // An answer to lines before numbering_.begun.
+  if (count + 1 < numbering_.first) return;  // The answer is to a line before numbering_.begun.
   const std::size_t taken = numbering_.begun + (count + 1 - numbering_.first);
-  if (!lines_.were_sent_until(taken)) return;  // An answer to a line that was never sent.
+  if (!lines_.were_sent_until(taken)) return;  // The answer is to a line that was never sent.
   if (taken < answered() && resend) {
     return stop(fmt::format("the controller wants line {} again, which it has acknowledged",
                             number_in_file(taken)));
@@ -190,7 +193,7 @@ void Sender::take_options() {
   if (told_options_) enter(options_.checked ? State::kBeginning : State::kSending);
 }
 
-/// Marks all lines before `line` as answered, including lines that were to be sent again.
+/// Marks all lines before `line` as answered, including lines that waited to be sent again.
 void Sender::answered_until(std::size_t line) {
   lines_.answer_until(line);
   moved_ = now_;

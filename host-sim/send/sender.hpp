@@ -16,28 +16,30 @@
 namespace sim {
 
 struct SendOptions {
-  bool checked = false;  ///< Lines have number and CRC; else they are plain, as for any Grbl.
+  /// Whether lines have a number and a CRC. Otherwise they are plain, as for any Grbl.
+  bool checked = false;
   /// Greatest number of bytes in flight. 0 stands for the free space that the controller announces.
-  /// For checked lines, all of which are repeated after a damaged one, 0 stands for the smallest
-  /// window that keeps a serial line busy.
+  /// With checked lines, 0 stands for the smallest window that keeps a serial line busy, because
+  /// all lines after a damaged line are sent again.
   std::size_t window = 0;
   bool goes_on_after_errors = false;
-  /// Resets a controller that is held, so that an interrupted job can be resumed.
+  /// Whether a controller that is held is reset first, so that an interrupted job can be resumed.
   bool takes_up = false;
-  /// The lines are sent although the controller is in alarm, as it takes them in that state:
-  /// questions, other `$` statements, `$X` first.
+  /// Whether the lines are sent even if the controller is in alarm. The controller must accept them
+  /// in this state: `$` statements, or lines after `$X`.
   bool rests_in_alarm = false;
-  std::uint32_t max_number = 9'999'999;  ///< Greatest number; after it the numbers restart.
+  /// Greatest number of a checked line. The line after it restarts the numbering.
+  std::uint32_t max_number = 9'999'999;
 };
 
-/// The sender's half of the conversation with a Grbl controller, without a port and without a
-/// clock. The owner of port and clock hands over the bytes that arrived, takes the bytes to be
-/// written, and passes the time in milliseconds since any fixed instant.
+/// The sender in a conversation with a Grbl controller, without a port and without a clock. The
+/// owner of the port and the clock passes the bytes that arrived and the time in milliseconds since
+/// any fixed instant, and takes the bytes to be written.
 ///
-/// Characters of lines are counted, so that the controller always has some lines waiting. The job
-/// is done when all lines are answered and the machine is at rest. If a job ends early for any
-/// reason, the controller is reset: when the machine is at rest, or at once in states in which a
-/// hold does nothing.
+/// Counts the characters of the lines in flight, so that the controller always has some lines
+/// waiting. The job is done when all lines are answered and the machine is at rest. If a job ends
+/// early for any reason, the controller is reset when the machine is at rest. In a state in which a
+/// hold has no effect, it is reset immediately.
 class Sender {
  public:
   using Time = std::chrono::milliseconds;
@@ -47,9 +49,10 @@ class Sender {
     kBeginning,  ///< Switches the controller to checked lines (numbered, with a checksum).
     kSending,
     kWaiting,  ///< Waits until the machine is at rest.
-    /// Switches checked lines off, at rest. From now on, a damaged byte may act as a reset.
+    /// Switches checked lines off while the machine is at rest. As soon as they are off, a damaged
+    /// byte may act as a reset.
     kEnding,
-    kStopping,  ///< Holds, then resets, so that nothing of the job is left to continue.
+    kStopping,  ///< Holds and then resets the controller, so that no line of the job can continue.
     kDone,
     kFailed,  ///< trouble() has the reason.
   };
@@ -58,12 +61,12 @@ class Sender {
   Sender(const std::vector<JobLine>& job, SendOptions options, Time now);
 
   void receive(std::string_view bytes, Time now);
-  /// Acts on the time that has passed. Must be called every few milliseconds at least.
+  /// Acts on the time that has passed. Call it every few milliseconds.
   void attend(Time now);
   void lose_link(std::string why = "the link is gone") { fail(std::move(why)); }
 
-  /// Returns realtime bytes for a link that carries them apart from lines. On other links output()
-  /// includes them.
+  /// Returns the realtime bytes for a link that sends them separately from lines. For other links,
+  /// output() includes them.
   [[nodiscard]] std::string_view realtime() const { return out_.realtime(); }
   /// Drops `count` bytes of realtime(), which the link has sent.
   void acted(std::size_t count) { out_.drop_realtime(count); }
@@ -76,10 +79,10 @@ class Sender {
   // Requests of the operator.
   void hold();
   void resume();
-  /// Asks once for a full report, which only some controllers have.
+  /// Requests one full report, which only some controllers have.
   void ask_full_report() { out_.put_realtime('\x87'); }
-  /// Ends the job: holds, and resets when the machine is at rest, or resets at once in a state in
-  /// which a hold does nothing.
+  /// Ends the job: holds the controller, and resets it when the machine is at rest. Resets it
+  /// immediately in a state in which a hold has no effect.
   void abort(std::string why = "aborted") { stop(std::move(why)); }
 
   [[nodiscard]] State state() const { return state_; }
@@ -89,35 +92,36 @@ class Sender {
   /// Returns the share of the job's lines that were answered, 0…1.
   [[nodiscard]] double progress() const;
   [[nodiscard]] std::size_t answered() const { return lines_.answered(); }
-  /// Returns the line of the file that comes next; 0 after the last line.
+  /// Returns the number of the line of the file that comes next; 0 after the last line.
   [[nodiscard]] std::size_t file_line() const {
     return answered() < job_.size() ? number_in_file(answered()) : 0;
   }
   [[nodiscard]] std::size_t resent() const { return lines_.resent(); }
   [[nodiscard]] std::size_t errors() const { return errors_; }
 
-  /// Called with each line in both directions: '>' for sent or '<' for received, and the line.
+  /// Function that is called with each line in both directions. Its arguments are `>` for a sent
+  /// line or `<` for a received line, and the line.
   std::function<void(char, std::string_view)> on_line;
 
  private:
-  /// Numbers of checked lines.
+  /// Relation between the index of a line in the job and its number as a checked line.
   struct Numbering {
-    bool active = false;      ///< Checked lines have begun.
-    std::size_t begun = 0;    ///< Index of the line with which they began.
-    std::uint32_t first = 1;  ///< Number of that line.
+    bool active = false;      ///< Whether checked lines have begun.
+    std::size_t begun = 0;    ///< Index of the first checked line.
+    std::uint32_t first = 1;  ///< Number of the first checked line.
   };
-  /// The machine by its last status report.
+  /// State of the machine according to its last status report.
   struct Reported {
     std::string state{};
-    bool moves = false;                   ///< The feed is not 0.
+    bool moves = false;                   ///< Whether the feed is not 0.
     std::optional<std::uint32_t> room{};  ///< Free space for lines, bytes.
-    Time at{};                            ///< When the report came.
+    Time at{};                            ///< Time at which the report arrived.
     unsigned count = 0;                   ///< Number of reports since the sender's state began.
-    /// Number of latest consecutive reports that show the machine at rest.
+    /// Number of consecutive reports, up to the last one, that show the machine at rest.
     unsigned idle_count = 0;
   };
 
-  // Lines from the controller, in sender.cpp.
+  // Functions for lines from the controller, in sender.cpp.
   void take_line(std::string_view line);
   void meet(const Answer& answer);
   void take_status(const Answer& answer);
@@ -129,7 +133,7 @@ class Sender {
   void take_end(const Answer& answer);
   void refused(std::size_t line, const Answer& answer);
 
-  // Lines to the controller, in sender_lines.cpp.
+  // Functions for lines to the controller, in sender_lines.cpp.
   void ask();
   void begin();
   void send_lines();
@@ -144,7 +148,7 @@ class Sender {
   void answered_until(std::size_t line);
   [[nodiscard]] std::size_t window() const;
 
-  // Time, in sender_time.cpp.
+  // Functions that act on time, in sender_time.cpp.
   void attend_silence();
   void attend_stop();
   void attend_wishes();
@@ -162,24 +166,24 @@ class Sender {
   SendOptions options_;
   State state_ = State::kMeeting;
   Time now_;
-  Time entered_;   ///< When the current state began.
-  Time asked_;     ///< When the question of the current state was last sent.
-  Time polled_;    ///< When a status report was last requested.
-  Time moved_;     ///< When a line was last answered or sent again.
-  Time heard_;     ///< When anything was last received.
-  Time wished_{};  ///< When the operator's request was last sent.
+  Time entered_;   ///< Time at which the current state began.
+  Time asked_;     ///< Time at which the question of the current state was last sent.
+  Time polled_;    ///< Time at which a status report was last requested.
+  Time moved_;     ///< Time at which a line was last answered or sent again.
+  Time heard_;     ///< Time at which bytes were last received.
+  Time wished_{};  ///< Time at which a request of the operator was last sent.
   unsigned questions_ = 0;
   std::string trouble_;
-  std::string message_;  ///< The last `[MSG:`; explains the error after it.
+  std::string message_;  ///< Text of the last `[MSG:`, which explains the error after it.
   std::string incoming_;
   SendQueue out_;
   LinesInFlight lines_;
   Numbering numbering_;
   std::size_t errors_ = 0;
-  std::size_t room_ = 0;  ///< Free space for lines, as announced, bytes.
+  std::size_t room_ = 0;  ///< Free space for lines that the controller announced, bytes.
   bool told_options_ = false;
   bool said_reset_ = false;
-  unsigned answers_owed_ = 0;  ///< Answers to questions that have not arrived.
+  unsigned answers_owed_ = 0;  ///< Number of answers to questions that have not arrived yet.
   bool wants_hold_ = false;
   bool wants_resume_ = false;
   Reported reported_;

@@ -9,8 +9,8 @@ namespace sim {
 namespace {
 
 constexpr std::size_t kGrblRoom = 128;
-/// On a serial line at 115,200 baud these bytes take 22 ms, which is longer than adapters delay
-/// answers.
+/// Bytes in flight with checked lines. At 115,200 baud they take 22 ms, which is longer than the
+/// time by which adapters delay answers.
 constexpr std::size_t kCheckedWindow = 256;
 
 }  // namespace
@@ -19,15 +19,15 @@ void Sender::ask() {
   ++questions_;
   asked_ = now_;
   answers_owed_ += 2;
-  put("");  // Ends a line that another sender has begun.
+  put("");  // An empty line ends a line that another sender has begun.
   put("$I");
 }
 
 void Sender::begin() {
   ++questions_;
   asked_ = now_;
-  // Only Kerfline knows checked lines, so its buffer size is known. The size that it announced may
-  // be damaged.
+  // Only Kerfline has checked lines, so its buffer size is known. The announced size is not used,
+  // because it may be damaged.
   room_ = cnc::Receiver::kAdvertisedBytes;
   numbering_.begun = answered();
   const std::uint32_t n = answered() < job_.size() ? job_[answered()].n : 1U;
@@ -73,7 +73,7 @@ void Sender::send_lines() {
   enter(State::kWaiting);
 }
 
-/// Sends again from `line` on. Lines that have not been written yet are dropped.
+/// Sends the lines from `line` on again. Drops lines that have not been written yet.
 void Sender::go_back(std::size_t line) {
   out_.drop_lines();
   lines_.go_back(line);

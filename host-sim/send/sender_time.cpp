@@ -10,20 +10,22 @@ constexpr Time kPollPeriod{200};
 constexpr Time kStopPollPeriod{50};
 constexpr Time kFirstPoll{300};
 constexpr Time kMeetingLimit{10'000};
-/// A controller answers a status request at once in every state, except that Grbl is silent while
-/// it homes.
+/// Longest silence of a controller. A controller answers a status request immediately in every
+/// state, but Grbl is silent while it homes.
 constexpr Time kSilenceLimit{20'000};
 constexpr Time kAskPeriod{2000};
 constexpr Time kBeginPeriod{300};
 constexpr unsigned kMaxQuestions = 20;
 /// Time since the last answer after which several lines may have been lost.
 constexpr Time kStall{60};
-/// Time since the last answer after which a single line may have been lost. It is longer because
-/// the line may be waiting for the machine.
+/// Time since the last answer after which a single line may have been lost. It is longer than
+/// kStall, because a single unanswered line may only be waiting for the machine.
 constexpr Time kStallOfOne{1000};
-/// A request of the operator is repeated if no report has confirmed it within this time.
+/// Time within which a report should confirm a request of the operator. Otherwise the request is
+/// repeated.
 constexpr Time kPatience{250};
-/// Longer than an answer to any question takes.
+/// Time without an answer after which the last line may have lost its end. It is longer than an
+/// answer to any question takes.
 constexpr Time kDeaf{300};
 
 }  // namespace
@@ -60,9 +62,9 @@ void Sender::attend_wishes() {
   if (wants_resume_) resume();
 }
 
-/// Resets as soon as a reset keeps the position, or if the machine does not come to rest in time.
-/// The first report that shows the machine at rest may have been sent before the hold, so two
-/// reports are needed.
+/// Resets the controller as soon as a reset keeps the position, or if the machine does not come to
+/// rest in time. Two reports are required, because the first report that shows the machine at rest
+/// may have been sent before the hold.
 void Sender::attend_stop() {
   constexpr Time kLongestBraking{10'000};
   constexpr Time kLongestReset{2'000};
@@ -77,9 +79,9 @@ void Sender::attend_stop() {
   out_.put_realtime('\x18');
 }
 
-/// Sends an empty line. The last line may have lost its end, and all that follows, questions
-/// included, would become part of it. The lines themselves are not sent again here: a machine on
-/// hold takes no lines, and they would fill the link.
+/// Sends an empty line. The last line may have lost its end, and all later bytes, including
+/// questions, would become part of it. The lines in flight are not sent again here, because a
+/// machine on hold accepts no lines, and the lines would fill the link.
 void Sender::end_line_again() {
   const bool sends = state_ == State::kSending && numbering_.active && !out_.has_lines();
   const bool waits = state_ == State::kWaiting || state_ == State::kStopping || sends;
@@ -88,14 +90,14 @@ void Sender::end_line_again() {
   put("");
 }
 
-/// Sends lines again that have no answer although the controller has no line waiting. Either the
-/// lines, the request to repeat them, or the answers were lost.
+/// Sends the unanswered lines again if the controller has no line waiting. In this case the lines,
+/// the request to repeat them, or the answers were lost.
 void Sender::attend_losses() {
   if (lines_.count() == 0) return;
   const Time stall = lines_.count() == 1 ? kStallOfOne : kStall;
   if (since(moved_) < stall || out_.has_lines()) return;
   const bool told = reported_.at > moved_ + stall / 2 && reported_.room;
-  // A report may be damaged, but a machine that reports idle more than once has no line waiting.
+  // A single report may be damaged. A machine that reports idle more than once has no line waiting.
   if (told && (*reported_.room >= room_ || reported_.idle_count > 1)) return go_back(answered());
   if (!reported_.room && since(moved_) > 2 * kStallOfOne) return go_back(answered());
   if (!told && since(polled_) >= kStall) {
@@ -104,13 +106,12 @@ void Sender::attend_losses() {
   }
 }
 
-/// Repeats a question: the question or its answer may be lost, too.
+/// Repeats a question, because the question or its answer may be lost.
 void Sender::repeat_question() {
   const bool asks = state_ == State::kAsking;
   const bool begins = state_ == State::kBeginning || state_ == State::kEnding;
   if (!asks && !begins) return;
-  // Some answers were lost together with bytes that the controller did not receive while it
-  // started.
+  // Some answers never come, because the controller did not receive the questions while it started.
   if (asks && told_options_ && since(moved_) > kStallOfOne) return take_options();
   if (since(asked_) < (asks ? kAskPeriod : kBeginPeriod)) return;
   if (questions_ >= kMaxQuestions) return fail("the controller does not answer as one should");

@@ -18,8 +18,8 @@ namespace {
 
 constexpr double kNanometresPerMillimetre = 1.0e6;
 
-/// Reads a position such as `1.000,2.000,…` in mm or inches. Axes that are missing keep their
-/// value.
+/// Reads a position such as `1.000,2.000,…` in mm or inches. Axes that the text lacks keep their
+/// value in `position`.
 void read_position(std::string_view text, bool inches, cnc::Position& position) {
   for (std::size_t axis = 0; axis < cnc::kAxisCount && !text.empty(); ++axis) {
     double value = 0.0;
@@ -34,8 +34,8 @@ void read_position(std::string_view text, bool inches, cnc::Position& position) 
   }
 }
 
-/// Returns whether a mode decides where the path of a program goes. `[GC:` also has other modes,
-/// such as M and F.
+/// Returns whether a mode affects the path of a program. `[GC:` also has modes without effect on
+/// the path, such as M and F.
 bool decides_path(std::string_view word) {
   constexpr std::array<std::string_view, 17> kWords{"G0",
                                                     "G1",
@@ -58,7 +58,8 @@ bool decides_path(std::string_view word) {
 }
 
 void interpret(cnc::gcode::Interpreter& reader, const std::string& line) {
-  static_cast<void>(reader.interpret(line).ok());  // Another controller may have other words.
+  // Another controller may report words that the interpreter refuses.
+  static_cast<void>(reader.interpret(line).ok());
 }
 
 }  // namespace
@@ -85,7 +86,7 @@ void StandpointReading::read_setting(std::string_view line) {
     static_cast<void>(settings_.set(change.number, change.value).ok());
     if (change.number == cnc::setting::kBlockDelete) block_delete_ = change.value != 0.0F;
   } catch (const std::invalid_argument&) {
-    // The line is another statement.
+    // The line is no setting.
   }
 }
 
@@ -109,7 +110,8 @@ void StandpointReading::read_place(std::string_view line) {
   if (name == "TLO") {
     cnc::Position lengths{};
     read_position(value, inches, lengths);
-    const bool one = value.find(',') == std::string_view::npos;  // Else one value for each axis.
+    // Otherwise the text has one value for each axis.
+    const bool one = value.find(',') == std::string_view::npos;
     tool_length_ = lengths[one ? 0 : 2];
   }
 }

@@ -10,12 +10,12 @@
 
 namespace sim {
 
-/// Reads the state of a controller from its answers to `$$`, `$#`, `$G` and `?`: those of Grbl, and
-/// the fields of Kerfline's full report (0x87). A controller that does not report block delete
-/// ($890) is taken to drive lines with /, as Grbl does.
+/// Reads the state of a controller from its answers to `$$`, `$#`, `$G` and `?`. It reads the
+/// answers of Grbl, and the fields of the full report of Kerfline (0x87). If a controller does not
+/// report block delete ($890), it counts as driving lines that begin with `/`, as Grbl does.
 class StandpointReading {
  public:
-  /// Returns the lines that ask for the state.
+  /// Returns the lines that request the state.
   [[nodiscard]] static std::vector<JobLine> questions();
 
   void read(std::string_view line);

@@ -15,13 +15,13 @@ struct Standing {
   bool laser = false;
   bool in_alarm = false;
   std::uint32_t line = 0;  ///< Interrupted line of the job, from 1; 0 for none.
-  bool known = false;      ///< The interrupted line and the machine's position are known.
+  bool known = false;  ///< Whether the interrupted line and the position of the machine are known.
 
-  /// Reads a line of the controller.
+  /// Reads a line that the controller has sent.
   void read(std::string_view words);
 };
 
-/// Returns the lines that ask for the Standing.
+/// Returns the lines that request the data of Standing.
 /// @param resume whether an interrupted job is resumed; otherwise the job begins at any line
 [[nodiscard]] std::vector<JobLine> standing_questions(bool resume);
 
@@ -31,7 +31,8 @@ struct Standing {
 
 /// Returns the lines that bring the machine to line `index`, at which the job begins, and the word
 /// to put in front of that line. Throws as approach_to() does.
-/// @param resume the path up to the point where the beam went off is driven with the beam off
+/// @param resume whether an interrupted job is resumed; the path up to the point where the beam
+/// went off is then driven with the beam off
 [[nodiscard]] Approach lines_before(const JobLines& job,
                                     std::size_t index,
                                     const Standing& standing,

@@ -7,22 +7,22 @@
 
 namespace sim {
 
-/// Reports to a sender program without an operator at its terminal that a machine waits in a state
-/// that does not end by itself.
+/// Reports that a machine waits in a state that does not end by itself, for a sender program that
+/// has no operator at its terminal.
 class WaitWatch {
  public:
   using Time = std::chrono::milliseconds;
-  /// A machine that slows down, or restores its spindle, leaves its state within this time.
+  /// Time after which the state of the machine counts as waiting. A machine that slows down, or
+  /// restores its spindle, leaves its state within this time.
   static constexpr Time kPatience{1000};
 
-  /// Returns one sentence for each time that the machine waits; otherwise an empty text.
+  /// Returns a sentence once for each wait of the machine; otherwise an empty text.
   /// @param state state of a status report, such as `Hold:0`
   /// @param line line of the file that comes next; 0 for none
   [[nodiscard]] std::string attend(std::string_view state, std::size_t line, Time now);
 
  private:
-  std::string waits_in_;  ///< The state in which the machine waits; empty if the state ends by
-                          ///< itself.
+  std::string waits_in_;  ///< State in which the machine waits; empty if the state ends by itself.
   Time since_{};
   bool told_ = false;
 };

@@ -14,7 +14,7 @@ namespace sim {
 
 /// Runs long work in a separate thread, for a loop that must not wait. The work uses copies of its
 /// inputs. Only the result of the last started work is kept. Abandoned work continues until it
-/// checks its `cancelled` flag.
+/// checks its flag `cancelled`.
 template <typename Result>
 class BackgroundTask {
  public:
@@ -24,7 +24,7 @@ class BackgroundTask {
   BackgroundTask() = default;
   BackgroundTask(const BackgroundTask&) = delete;
   BackgroundTask& operator=(const BackgroundTask&) = delete;
-  /// Cancels all work and waits for it.
+  /// Cancels all work and waits until all threads have ended.
   ~BackgroundTask() { abandon(); }
 
   /// Abandons earlier work and starts `work` in a new thread.
@@ -43,7 +43,7 @@ class BackgroundTask {
     current_.reset();
   }
   [[nodiscard]] bool running() const { return current_ != nullptr; }
-  /// Returns the result of the work, once; empty while there is no result.
+  /// Returns the result of the finished work once; nothing before that and afterwards.
   [[nodiscard]] std::optional<Result> take() {
     if (!current_ || !current_->done) return std::nullopt;
     const std::shared_ptr<Shared> finished = std::exchange(current_, nullptr);

@@ -8,17 +8,17 @@
 
 namespace sim {
 
-/// A queue of bytes (first in, first out) of any length, in blocks. No byte is moved as the queue
-/// grows, so that a thread with time limits can queue megabytes.
+/// A queue of bytes (first in, first out) of any length, in blocks. Growing does not move any
+/// bytes, so that a thread with time limits can queue megabytes.
 ///
-/// Some blocks are kept ready, with all their memory pages already touched. Otherwise the system
-/// would have to provide each page of 4 KiB first, which makes reading slow, above all on virtual
-/// machines.
+/// Some blocks are kept ready, with all their memory pages already touched. Without this, the
+/// system would have to provide each page of 4 KiB during a read, which is slow, above all on
+/// virtual machines.
 class ByteBlocks {
  public:
   static constexpr std::size_t kBlock = std::size_t{1} << 20;
-  /// Number of blocks that are kept ready: twice the 4 MiB that the operating system of a sender
-  /// may buffer.
+  /// Number of blocks of 1 MiB that are kept ready. They hold twice the 4 MiB that the operating
+  /// system of a sender may buffer.
   static constexpr std::size_t kReady = 8;
 
   /// @throw std::bad_alloc

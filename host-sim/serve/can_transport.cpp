@@ -6,7 +6,8 @@
 
 namespace sim {
 
-/// Connection of the host that has a session with the controller. It ends with the session.
+/// Connection of the host that has a session with the controller. The connection ends with the
+/// session.
 class CanTransport::Sender final : public Connection {
  public:
   explicit Sender(CanTransport& transport)
@@ -29,7 +30,7 @@ class CanTransport::Sender final : public Connection {
     return talks();
   }
   void end() override {}
-  // The transport adds the descriptors of the bus.
+  // CanTransport::add_to() adds the descriptors of the bus.
   void add_to(std::vector<pollfd>&, Wishes) const override {}
 
  private:
@@ -58,10 +59,10 @@ void CanTransport::attend() {
   wire_->carry();
 }
 
-/// Advances the link's time. If this process itself was suspended on a busy machine, the host may
+/// Advances the time of the link. If this process was suspended on a busy machine, the host may
 /// have waited for the same processor. So at most kUsual of the elapsed time counts as silence of
-/// the host. The host does not become faster when the controller's time runs faster, so the silence
-/// is divided by the speed.
+/// the host. If the controller's time runs faster than real time, the host is not faster. So its
+/// silence is divided by the speed.
 void CanTransport::pass_time() {
   using std::chrono::microseconds;
   // Greatest time that counts as silence, slightly more than a cycle.

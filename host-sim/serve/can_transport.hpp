@@ -14,8 +14,8 @@ namespace sim {
 /// (cnc::CanLink) on the clock of this machine.
 class CanTransport final : public Transport {
  public:
-  /// Functions through which the link accesses the controller. It reads the controller's state in
-  /// each call of attend().
+  /// Functions through which the link accesses the controller. The link reads the state of the
+  /// controller in each call of attend().
   struct Controller {
     std::function<cnc::CanLink::Condition()> condition;
     std::function<std::uint8_t()> node;  ///< Returns the node number from the settings.

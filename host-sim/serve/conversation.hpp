@@ -22,7 +22,7 @@ struct Exchange {
     kStop = '!',
   };
   Kind kind = Kind::kHeard;
-  std::uint64_t time_ns = 0;  ///< Time of the controller.
+  std::uint64_t time_ns = 0;  ///< Time of the exchange, by the clock of the controller.
   std::string bytes;
   /// Line of the exchange in the recording's file; 0 if it was not read from a file.
   std::size_t line = 0;
@@ -70,7 +70,8 @@ struct Conversation {
 [[nodiscard]] std::string end_text(std::uint64_t end_ns);
 [[nodiscard]] std::string to_text(const Conversation& conversation);
 
-/// Throws std::invalid_argument with `name:line: ` and the fault.
+/// Returns the conversation that `text` contains. Throws std::invalid_argument with `name:line: `
+/// and the fault.
 [[nodiscard]] Conversation parse_conversation(std::string_view text, const std::string& name);
 
 }  // namespace sim

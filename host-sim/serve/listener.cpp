@@ -22,7 +22,8 @@ void set_option(const Descriptor& socket, int level, int option, int value) {
   static_cast<void>(::setsockopt(socket.number(), level, option, &value, sizeof value));
 }
 
-// Returns an address as the pointer through which the socket interface takes every kind of address.
+// Returns the pointer to `address`, converted to the general type that the socket interface
+// requires.
 sockaddr* generic_address(sockaddr_in& address) { return reinterpret_cast<sockaddr*>(&address); }
 
 }  // namespace

@@ -8,17 +8,17 @@
 
 namespace sim {
 
-/// Receives the bytes that pass between a sender and the controller, as the controller reads and
-/// writes them.
+/// Receives the bytes that pass between a sender and the controller, at the time at which the
+/// controller reads or writes them.
 class LinkListener {
  public:
   virtual void on_read(std::span<const std::byte> bytes) = 0;
   virtual void on_write(std::span<const std::byte> bytes) = 0;
-  /// The controller had more bytes to write than the link had capacity for.
+  /// Reports that the controller had more bytes to write than the link had capacity for.
   virtual void on_full() = 0;
-  /// A realtime byte reaches the controller outside the link.
+  /// Reports a realtime byte that reaches the controller outside the link.
   virtual void on_beside(std::byte byte) = 0;
-  /// An emergency stop reaches the controller outside the link.
+  /// Reports an emergency stop that reaches the controller outside the link.
   virtual void on_stop() = 0;
 
  protected:
@@ -64,8 +64,8 @@ class LiveLink final : public hal::ByteStream {
   }
   /// Returns whether no byte waits for the controller.
   [[nodiscard]] bool heard_all() const { return incoming_.empty() && urgent_.empty(); }
-  /// Returns the oldest bytes that the controller wrote and the sender has not taken, as far as
-  /// they are contiguous in memory.
+  /// Returns the oldest bytes that the controller wrote and the sender has not taken. Bytes that
+  /// are not contiguous with these in memory follow in a later call.
   [[nodiscard]] std::span<const std::byte> outgoing() const { return outgoing_.front(); }
   /// @pre count is at most outgoing().size()
   void taken(std::size_t count) { outgoing_.pop(count); }

@@ -20,7 +20,7 @@ constexpr milliseconds kPeriod{50};
 // Interval at which unchanged news are repeated, as a sign that the server runs.
 constexpr milliseconds kRepeat{1000};
 constexpr std::size_t kPointsPerMessage = 2000;
-// Number of unread bytes of a watcher from which on it gets the next news later.
+// Greatest number of unread bytes with which a watcher still gets news.
 constexpr std::size_t kTooSlow = std::size_t{1} << 18;
 constexpr std::size_t kAxesShown = 3;
 
@@ -78,8 +78,7 @@ void LiveView::keep_scale() {
     steps_per_mm[axis] = controller_.machine().settings().get(cnc::setting::kStepsPerMm, axis);
   }
   if (recorder_ && steps_per_mm == steps_per_mm_) return;
-  // Restarts the path after a change of steps per mm, because the path so far is not to scale any
-  // more.
+  // Restarts the path after a change of steps per mm, because the recorded path has the old scale.
   steps_per_mm_ = steps_per_mm;
   recorder_.emplace(steps_per_mm);
   watchers_.clear();
@@ -156,7 +155,8 @@ std::string LiveView::state_text(std::string_view sender_kind) const {
 std::string LiveView::path_text(Watcher& watcher) const {
   ordered_json points = ordered_json::array();
   const std::size_t count = recorder_->settled().size();
-  // If the path has fewer points than were sent, it was thinned. It is then sent from its start.
+  // If the path has fewer points than were sent, the recorder has thinned it. All points of the
+  // path are then sent again.
   const std::size_t from = watcher.points_sent <= count ? watcher.points_sent : 0;
   const std::size_t to = std::min(count, from + kPointsPerMessage);
   for (std::size_t index = from; index < to; ++index) {

@@ -45,7 +45,7 @@ class LiveView final : public TraceSink {
   void on_row(const TraceRow& row) override { recorder_->on_row(row); }
 
   [[nodiscard]] bool due(Clock::time_point now) const { return now >= next_; }
-  /// Sends the news to the watchers. To be called when due() returns true.
+  /// Sends the news to the watchers. Call it when due() returns true.
   void publish(const std::vector<std::shared_ptr<WebSocket>>& watchers,
                std::string_view sender_kind,
                Clock::time_point now);
@@ -66,7 +66,8 @@ class LiveView final : public TraceSink {
   const VirtualController& controller_;
   const ServedJob& job_;
   cnc::AxisArray<float> steps_per_mm_{};
-  /// Records the path; always has a value. Optional, so that a change of scale can replace it.
+  /// Recorder of the path. It always has a value, and is optional only so that a change of scale
+  /// can replace it.
   std::optional<PathRecorder> recorder_;
   std::map<const WebSocket*, Watcher> watchers_;
   std::string last_state_;

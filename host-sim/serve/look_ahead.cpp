@@ -9,8 +9,8 @@
 namespace sim {
 namespace {
 
-// Maximum number of bytes that the receiver sorts in one step. It has capacity for them in any
-// state.
+// Maximum number of bytes that the receiver sorts in one step. The receiver has capacity for this
+// number in any state.
 constexpr std::size_t kChunk = 64;
 static_assert(kChunk < cnc::Receiver::kRealBytes);
 
@@ -43,8 +43,9 @@ void LookAhead::hear(std::span<const std::byte> bytes, Session& session) {
   receiver_->be_strict(strict);
   std::span<const char> rest = as_chars(bytes);
   while (!rest.empty()) {
-    // Most bytes are text without realtime bytes, which needs no sorting. The last byte of such a
-    // run goes through the receiver, so that the receiver knows the position in the line.
+    // Most bytes are text without realtime bytes, which requires no sorting. Only the last byte of
+    // a run of such bytes goes through the receiver, so that the receiver knows the position in the
+    // line.
     const std::size_t run = strict ? 0 : receiver_->plain_run(rest);
     if (run > kChunk) {
       lines_.append(rest.first(run - 1));
@@ -59,8 +60,8 @@ void LookAhead::hear(std::span<const std::byte> bytes, Session& session) {
   }
 }
 
-/// Lets realtime bytes act in the receiver's order. A reset is first, because the receiver has
-/// dropped all bytes before it.
+/// Lets realtime bytes act in the order of the receiver. A reset acts first, because the receiver
+/// has dropped all bytes before the reset.
 void LookAhead::act_on_realtime(Session& session) {
   if (receiver_->take_reset()) {
     lines_.clear();
@@ -79,10 +80,10 @@ void LookAhead::act_on_realtime(Session& session) {
   }
 }
 
-/// Keeps a realtime byte among the lines if its position there matters, and returns whether it did.
-/// In a tool change, 0xA3 and the `~` after it separate lines that were sent before from those sent
-/// later. If the controller lacks the capacity for all lines before 0xA3, the byte goes ahead of
-/// them, and the controller refuses it.
+/// Keeps a realtime byte among the lines if its position among them matters, and returns whether it
+/// was kept. In a tool change, 0xA3 and the `~` after it separate lines that were sent before these
+/// bytes from lines that were sent later. If the controller lacks the capacity for all lines before
+/// 0xA3, the byte overtakes these lines, and the controller refuses it.
 bool LookAhead::keep_in_order(cnc::RealtimeByte command, Session& session) {
   if (!marks_a_place(static_cast<char>(command))) return false;
   keep_lines();

@@ -12,18 +12,18 @@
 
 namespace sim {
 
-/// Reads a sender's stream ahead of the controller, so that realtime bytes act and a closed
-/// connection is noticed however many lines wait.
+/// Reads a sender's stream ahead of the controller. So realtime bytes act, and a closed connection
+/// is noticed, no matter how many lines wait.
 ///
-/// A second `cnc::Receiver` sorts the bytes by the controller's own rules. Realtime bytes overtake
-/// the lines and act immediately. Bytes of lines wait here until the controller has capacity for
-/// them. A reset forgets the lines before it, as it does in the controller. In a tool change, 0xA3
-/// and `~` keep their position among the lines, because they determine which lines belong to the
-/// tool change.
+/// A `cnc::Receiver` in addition to the controller's own one sorts the bytes by the same rules.
+/// Realtime bytes overtake the lines and act immediately. Bytes of lines wait here until the
+/// controller has capacity for them. A reset drops the lines before it, here as in the controller.
+/// In a tool change, 0xA3 and `~` keep their position among the lines, because they determine which
+/// lines belong to the tool change.
 class LookAhead {
  public:
-  /// Greatest number of bytes of lines that wait. A sender that is further ahead must be
-  /// disconnected, because its realtime bytes could not be read any more.
+  /// Greatest number of bytes of lines that may wait. A sender with more waiting bytes must be
+  /// disconnected, because its further bytes, including realtime bytes, cannot be read.
   static constexpr std::size_t kMax = std::size_t{64} << 20;
 
   LookAhead();
@@ -33,13 +33,13 @@ class LookAhead {
   /// Hands lines to the controller as far as its link has capacity.
   void hand_over(Session& session);
 
-  /// Removes and returns all waiting lines, and the beginning of an unfinished line, instead of
-  /// handing them to the controller. Realtime bytes among them act.
+  /// Removes and returns all waiting lines, including the beginning of an unfinished line. The
+  /// controller does not receive them. Realtime bytes among them act.
   [[nodiscard]] std::string take_lines(Session& session);
 
   [[nodiscard]] std::size_t size() const { return lines_.size(); }
   [[nodiscard]] bool overrun() const { return size() > kMax; }
-  /// Drops all bytes, when a sender disconnects or another one begins.
+  /// Drops all bytes. Call it when a sender disconnects or another sender begins.
   void forget();
 
  private:

@@ -5,8 +5,8 @@
 
 namespace sim {
 
-/// Prints on standard error that the output of this option cannot be written any more, as on a full
-/// disk, and that the machine continues without it.
+/// Prints a message on standard error: the file that `option` names cannot be written any more, for
+/// example because the disk is full, and the machine continues without it.
 void report_lost_output(std::string_view option, const std::system_error& reason);
 
 }  // namespace sim

@@ -20,7 +20,7 @@ std::uint64_t Pacer::take_due(Clock::time_point now) {
   const double max_behind = Seconds{kMaxBehind}.count() * speed_ * kTurnsPerSecond;
   const std::uint64_t kept = std::max(kMaxTurns, static_cast<std::uint64_t>(max_behind));
   if (wanted - done_ > kept) {
-    // Moves the start to the time since which the remaining backlog would have built up.
+    // Moves `start_` so that the time since `start_` equals the kept backlog.
     const Seconds backlog{static_cast<double>(kept) / (speed_ * kTurnsPerSecond)};
     start_ = now - std::chrono::duration_cast<Clock::duration>(backlog);
     done_ = 0;

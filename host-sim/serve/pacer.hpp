@@ -9,9 +9,9 @@ namespace sim {
 /// millisecond of the controller's time.
 ///
 /// The controller's time never runs ahead of the wall clock times the speed. A backlog is caught up
-/// in bursts of at most kMaxTurns cycles, between which the caller attends to its senders. A
-/// backlog of more than kMaxBehind is cut to that time, so that the controller does not catch up
-/// for long after the process was suspended.
+/// in bursts of at most kMaxTurns cycles, between which the caller attends to its senders. If the
+/// process was suspended, a backlog of more than kMaxBehind is cut to kMaxBehind, so that the
+/// controller does not catch up for long.
 class Pacer {
  public:
   using Clock = std::chrono::steady_clock;
@@ -31,7 +31,7 @@ class Pacer {
 
   double speed_;
   Clock::time_point start_;
-  std::uint64_t done_ = 0;  ///< Cycles since start_.
+  std::uint64_t done_ = 0;  ///< Number of cycles that were run since start_.
 };
 
 }  // namespace sim

@@ -38,8 +38,8 @@ std::string device_of(int master) {
   return name;
 }
 
-/// Opens and closes a device: the kernel reports that a terminal is closed only after it was open
-/// once.
+/// Opens and closes a device. The kernel reports that a terminal is closed only after the terminal
+/// was open once.
 void open_once(const std::string& device) {
   const Descriptor slave{hal::host::open_file(device, O_RDWR | O_NOCTTY | O_CLOEXEC)};
   checked(slave.number(), device);
@@ -78,8 +78,8 @@ void PtyLink::point_to(const std::string& device) {
           "--pty {}: a file of this name exists and is no link to a pty; choose another name",
           path_));
     }
-    // A pty ends with its server. A link that remains leads nowhere, or to `device` if this has
-    // received the number of the old pty.
+    // A pty ends with its server. A link that an earlier server left points to no device, or to
+    // `device` if this has the number of the old pty.
     const fs::path leads_to = fs::read_symlink(link);
     const bool is_own = leads_to == device || leads_to == device_;
     if (!is_own && fs::exists(leads_to)) {
@@ -97,7 +97,8 @@ void PtyLink::point_to(const std::string& device) {
 }
 
 void PtyLink::remove() const {
-  if (device_.empty()) return;  // A file of that name does not belong to this process.
+  // The link was never made, so a file of this name does not belong to this process.
+  if (device_.empty()) return;
   std::error_code ignored;
   if (fs::read_symlink(path_, ignored) == device_) fs::remove(path_, ignored);
 }
@@ -142,9 +143,9 @@ std::unique_ptr<Connection> PtyTransport::accept() {
   return std::make_unique<Sender>(*this);
 }
 
-/// Prepares the port for the next sender. A sender that keeps the port open is disconnected: its
-/// terminal is closed, and the link leads to a new one. After a sender that closed the port, the
-/// terminal stays.
+/// Prepares the port for the next sender. If the last sender keeps the port open, its terminal is
+/// closed, which disconnects it, and the link points to a new terminal. If the last sender has
+/// closed the port, the terminal stays.
 void PtyTransport::release() {
   accepted_ = false;
   try {

@@ -64,8 +64,8 @@ class PtyTransport final : public Transport {
   explicit PtyTransport(const std::string& link);
 
   [[nodiscard]] std::unique_ptr<Connection> accept() override;
-  /// Adds nothing, because no event reports that the port is opened. The loop has to check it
-  /// periodically.
+  /// Adds nothing, because no event reports that a program opens the port. The loop has to check
+  /// the port periodically.
   void add_to(std::vector<pollfd>&) const override {}
   [[nodiscard]] std::string_view kind() const override { return "pty"; }
   [[nodiscard]] std::string address() const override { return link_.path(); }

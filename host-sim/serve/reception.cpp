@@ -10,8 +10,8 @@ namespace sim {
 namespace {
 
 constexpr std::size_t kSenderPart = std::size_t{64} << 10;
-// Greatest number of bytes that are read in one call. Reading them takes some milliseconds, which
-// the machine catches up.
+// Greatest number of bytes that one call reads. Reading them takes some milliseconds. The machine
+// catches up on the cycles of this time.
 constexpr std::size_t kMaxAtOnce = std::size_t{4} << 20;
 
 /// Returns a random key, which no other page can guess.
@@ -36,8 +36,9 @@ void Reception::attend(Clock::time_point now) {
   see_off(now);
 }
 
-/// Returns the new connections. They are accepted before the present sender's bytes are read. So
-/// the end of a sender that left before they arrived is noticed before they are handled.
+/// Returns the new connections. They are accepted before the present sender's bytes are read. If
+/// the present sender disconnected before they arrived, this is noticed before the new connections
+/// are handled.
 std::vector<Reception::Arrival> Reception::accept_all() {
   std::vector<Arrival> arrivals;
   for (const auto& way : ways_in_) {
@@ -55,7 +56,7 @@ std::string_view Reception::sender_kind() const {
   return job_runs() ? kJob : std::string_view{};
 }
 
-/// Makes an arrival the sender, or refuses it. While a job runs, only a page is accepted.
+/// Makes a new connection the sender, or refuses it. While a job runs, only a page is accepted.
 void Reception::meet(Arrival arrival, Clock::time_point now) {
   if (sender_ || (job_runs() && arrival.kind != kPage)) {
     const std::string_view reason = sender_ ? kRefusal : kJobRuns;
@@ -77,7 +78,7 @@ void Reception::see_off(Clock::time_point now) {
   part_.resize(kSenderPart);
   for (Departing& one : departing_) {
     // Bytes of the refused sender are still read. Otherwise the kernel would send a TCP reset,
-    // which discards the words that are sent to the peer.
+    // which discards the reason that is sent to this sender.
     for (std::size_t read = 0; read < kMaxAtOnce; read += kSenderPart) {
       if (one.connection->read(part_) == 0) break;
     }
@@ -119,8 +120,8 @@ void Reception::refuse_lines() {
   }
 }
 
-/// Carries the controller's output to the sender and the job. While a job runs, output that the
-/// page does not take is dropped for the page, so that the job does not wait.
+/// Carries the controller's output to the sender and the job. While a job runs, the page misses
+/// output that it cannot take at the moment, so that the job does not wait for the page.
 void Reception::carry_out(Clock::time_point now) {
   LiveLink& link = session_.link();
   while (!link.outgoing().empty()) {

@@ -61,7 +61,8 @@ class Reception {
   [[nodiscard]] bool is_operator(std::string_view page_key) const {
     return sender_ && greeted_ && sender_kind_ == kPage && page_key == page_key_;
   }
-  /// Holds the feed. This is safe for any operator that sees the machine, with control or without.
+  /// Holds the feed. Any operator that sees the machine may request this, with or without control,
+  /// because it is safe.
   void hold() { session_.act_at_once(std::byte{'!'}); }
 
  private:
@@ -88,7 +89,7 @@ class Reception {
   Session& session_;
   ServedJob* job_ = nullptr;
   std::vector<std::unique_ptr<Transport>> ways_in_;
-  // Declared after the transports, to which their connections refer.
+  // Declared after `ways_in_`, because connections refer to their transports.
   std::unique_ptr<Connection> sender_;
   LookAhead look_ahead_{};       ///< Look-ahead in the sender's stream.
   std::vector<std::byte> part_;  ///< Bytes that were read last.

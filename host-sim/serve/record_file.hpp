@@ -21,8 +21,8 @@ class RecordFile {
   RecordFile& operator=(const RecordFile&) = delete;
   ~RecordFile() = default;
 
-  /// Ends the file; to be called after the last cycle. Returns false if the file could not be
-  /// written to its end.
+  /// Ends the file. Call it after the last cycle. Returns false if the file could not be written to
+  /// its end.
   [[nodiscard]] bool close(const Session& session);
 
  private:

@@ -26,7 +26,7 @@ class Recorder final : public LinkListener {
   void on_beside(std::byte byte) override { add(Exchange::Kind::kBeside, {&byte, 1}); }
   void on_stop() override { add(Exchange::Kind::kStop, {}); }
 
-  /// Passes the last exchange to `keep`. Until then more bytes could have been added to it.
+  /// Passes the last exchange to `keep`. Before this call, further bytes may still belong to it.
   void finish();
 
  private:

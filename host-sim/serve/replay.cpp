@@ -24,7 +24,7 @@ class RecordedLink final : public hal::ByteStream {
 
   void tell(LinkListener* listener) { listener_ = listener; }
 
-  /// Makes the bytes available that the recorded controller had received up to this time.
+  /// Makes the bytes available that the recorded controller had read up to this time.
   void set_time(std::uint64_t now_ns) {
     now_full_ = now_stops_ = false;
     now_beside_.clear();
@@ -70,9 +70,10 @@ class RecordedLink final : public hal::ByteStream {
   std::size_t next_ = 0;
   std::string waiting_;
   std::string now_beside_;
-  std::size_t heard_ = 0;     ///< Bytes of waiting_ that the controller has read.
-  std::size_t now_said_ = 0;  ///< Bytes that may still be written in this cycle if the link is
-                              ///< full.
+  std::size_t heard_ = 0;  ///< Number of bytes of waiting_ that the controller has read.
+  /// Number of bytes that may still be written in this cycle; it limits writes only if now_full_ is
+  /// true.
+  std::size_t now_said_ = 0;
   bool now_full_ = false;
   bool now_stops_ = false;
 };

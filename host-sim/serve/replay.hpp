@@ -7,16 +7,17 @@
 
 namespace sim {
 
-/// Repeats the conversation with a fresh controller in virtual time. The controller receives the
-/// same bytes at the same times, and its output is the result, which is the same in every run.
-/// Throws std::invalid_argument for a setting that is refused.
+/// Repeats a conversation with a fresh controller in virtual time, and returns the repeated
+/// conversation. The controller receives the same bytes at the same times as the recorded
+/// controller. Its output is the same in every run. Throws std::invalid_argument for a setting that
+/// is refused.
 [[nodiscard]] Conversation replay(const Conversation& recorded);
 
 /// First difference between the output of two controllers.
 struct Difference {
   std::size_t line = 0;  ///< Line in the recording's file.
-  std::string expected;  ///< Line of the recorded output that differs; empty if the recorded
-                         ///< controller wrote nothing more.
+  /// Line of the recorded output that differs; empty if the recorded controller wrote nothing more.
+  std::string expected;
   std::string said;
 
   bool operator==(const Difference&) const = default;

@@ -51,7 +51,8 @@ void ServedJob::resume(Clock::time_point now) {
 
 void ServedJob::stop() {
   if (sender_) return sender_->abort();
-  if (running()) end(State::kStopped, "aborted");  // Nothing is being sent yet.
+  // The job is being planned, and no sender exists yet.
+  if (running()) end(State::kStopped, "aborted");
 }
 
 std::size_t ServedJob::file_line() const {

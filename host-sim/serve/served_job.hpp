@@ -18,9 +18,9 @@
 
 namespace sim {
 
-/// A job that the server itself sends. It continues without a page, and ends as a job of `kerfline
-/// send` does, because the same `Sender` drives it. Every line has a number, so that an interrupted
-/// job can be resumed where its beam went off.
+/// A job that the server itself sends. The job continues without a page. It ends under the same
+/// conditions as a job of `kerfline send`, because the same `Sender` drives it. Every line has a
+/// number, so that an interrupted job can be resumed where its beam went off.
 class ServedJob {
  public:
   using Clock = std::chrono::steady_clock;
@@ -60,7 +60,7 @@ class ServedJob {
   /// Return the number of lines that were answered, and of all lines.
   [[nodiscard]] std::size_t done() const { return done_; }
   [[nodiscard]] std::size_t count() const { return program_ ? program_->lines.size() : 0; }
-  /// Returns the line of the file that comes next.
+  /// Returns the number of the line of the file that comes next; 0 after the last line.
   [[nodiscard]] std::size_t file_line() const;
   [[nodiscard]] const std::string& trouble() const { return trouble_; }
 
@@ -73,7 +73,8 @@ class ServedJob {
 
  private:
   enum class Phase : std::uint8_t { kAsking, kPlanning, kApproaching, kSending };
-  /// Motion of the machine to the line of the interruption, or the reason why it is impossible.
+  /// Plan of a resumption: the lines that move the machine to the line of the interruption, or in
+  /// `trouble` the reason why this is impossible.
   struct Plan {
     std::size_t first = 0;
     Approach approach{};

@@ -24,7 +24,7 @@ class ServedTrace final : public TraceSink {
   template <typename Write>
   void attempt(Write&& write);
 
-  std::optional<TraceWriter> file_;  ///< Empty once the file cannot be written.
+  std::optional<TraceWriter> file_;  ///< Writer of the file; empty once the file cannot be written.
 };
 
 }  // namespace sim

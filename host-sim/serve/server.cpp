@@ -55,7 +55,8 @@ void Server::show_view() {
 
 void Server::sleep(const StopSignals& stop) {
   const auto until_next = pacer_.until_next(Pacer::Clock::now());
-  if (until_next == Pacer::Clock::duration::zero()) return;  // The next cycle is due already.
+  // There is no time to sleep, because the next cycle is due.
+  if (until_next == Pacer::Clock::duration::zero()) return;
   descriptors_.assign(1, {stop.number(), POLLIN, 0});
   reception_.add_to(descriptors_);
   const auto wanted = std::chrono::ceil<milliseconds>(until_next);

@@ -11,8 +11,8 @@
 
 namespace sim {
 
-/// SIGINT, SIGTERM and SIGHUP as a descriptor for poll(). Must be created before any other thread
-/// starts, so that the signals are blocked in those threads, too.
+/// SIGINT, SIGTERM and SIGHUP as a descriptor for poll(). Create it before any other thread, so
+/// that the signals are blocked in all threads.
 class StopSignals {
  public:
   StopSignals();
@@ -43,8 +43,8 @@ class Server {
   void run(const StopSignals& stop);
 
  private:
-  /// Runs the cycles that are due. The loop begins with this call, so that bytes that arrive now do
-  /// not act in cycles that were due before.
+  /// Runs the cycles that are due. Each round of the server loop begins with this call. So bytes
+  /// that arrive in this round do not act in cycles that were due before.
   void catch_up();
   void show_view();
   void sleep(const StopSignals& stop);

@@ -6,10 +6,11 @@ namespace {
 constexpr std::byte kSafetyDoor{0x84};
 constexpr std::byte kSoftReset{0x18};
 
-// Cycles without a step after which the machine is at rest. They last longer than the queued
-// segments: no pause of the step timer within a motion is that long.
+// Number of cycles without a step after which the machine is at rest. These cycles last longer than
+// the queued segments, and no pause of the step timer within a motion is that long.
 constexpr unsigned kTurnsStill = 100;
-// Cycles after which a machine that still moves is reset. No machine brakes for so long.
+// Number of cycles after which a machine that still moves is reset. No machine takes that long to
+// brake.
 constexpr unsigned kMaxTurnsToStop = 10'000;
 
 }  // namespace

@@ -40,10 +40,10 @@ class Session {
 
   /// Returns whether the machine is at rest after the last sender disconnected.
   [[nodiscard]] bool calm() const { return parting_ == Parting::kOver; }
-  /// Returns whether the reset that greets a sender is over. The reset forgets all earlier bytes,
-  /// so the sender's bytes must not arrive before.
+  /// Returns whether the reset that greets a sender is over. The reset drops all bytes that arrived
+  /// earlier, so the bytes of the sender must arrive after it.
   [[nodiscard]] bool hears() const { return turns_since_welcome_ >= kTurnsOfReset; }
-  /// Returns whether the machine is at rest and no work is pending, so that the loop may sleep
+  /// Returns whether the machine is at rest and no work is pending. The server loop may then sleep
   /// longer.
   [[nodiscard]] bool resting() const;
 

@@ -23,8 +23,8 @@ using nlohmann::ordered_json;
 /// Greatest distance between a curve and the chords by which the page shows it, mm.
 constexpr double kViewChordMm = 0.05;
 constexpr double kMaxPartDistanceMm = 100.0;
-/// Share of the work that `cut` may spend on a drawing. It is small because the page sends a
-/// request after each change.
+/// Limit of the work for one drawing, as a share of the work that `cut` permits. It is small
+/// because the page sends a request after each change.
 constexpr double kEffort = 0.1;
 /// Greatest depth of nested JSON that is read. No sheet is nested more deeply, even with mistakes,
 /// and writing deeper JSON would use more stack.

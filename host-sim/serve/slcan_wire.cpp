@@ -29,8 +29,8 @@ void SlcanWire::carry() {
 }
 
 void SlcanWire::add_to(std::vector<pollfd>& descriptors) const {
-  // No event reports that the port is opened. While no program has opened it, poll() always reports
-  // it as readable, so it is not polled then.
+  // No event reports that a program opens the port. While no program has opened the port, poll()
+  // always reports it as readable. So the port is not polled then.
   if (used_ && slcan_.can_hear()) descriptors.push_back({master_.number(), POLLIN, 0});
 }
 

@@ -31,7 +31,7 @@ WebReply reply_of(const WebWork& make) {
 }
 
 /// Returns the request; nothing if it is malformed. A request with a duplicate header is malformed,
-/// because two readers could use different values.
+/// because two programs that read it could use different values.
 std::optional<HttpRequest> request_of(const http::request_parser<http::string_body>& parser) {
   const auto& head = parser.get();
   for (const auto& field : head) {
@@ -41,8 +41,8 @@ std::optional<HttpRequest> request_of(const http::request_parser<http::string_bo
   request.method = head.method_string();
   request.host = head[http::field::host];
   request.origin = head[http::field::origin];
-  // Least version of HTTP whose upgrades a server follows; it ignores those of HTTP 1.0 (RFC 9110,
-  // 7.8).
+  // Least version of HTTP for which a server follows a request to upgrade. The server ignores such
+  // requests of HTTP 1.0 (RFC 9110, 7.8).
   constexpr unsigned kFirstWithUpgrades = 11;
   request.wants_web_socket = head.version() >= kFirstWithUpgrades &&
                              http::token_list{head[http::field::upgrade]}.exists("websocket");
@@ -98,7 +98,8 @@ void WebClient::attend(Clock::time_point now) {
   if (now < until_ || stage_ == Stage::kWorking || stage_ == Stage::kOver) return;
   if (stage_ != Stage::kBody) return hang_up();
   Fault ignored;
-  socket_.cancel(ignored);  // The read of the body fails then, and its handler answers.
+  // This makes the read of the body fail, and the handler of the read answers the request.
+  socket_.cancel(ignored);
 }
 
 void WebClient::end_head(Fault fault) {
@@ -112,7 +113,7 @@ void WebClient::end_head(Fault fault) {
 
 void WebClient::want_body() {
   stage_ = Stage::kBody;
-  buffer_.reserve(kRequestPart);  // Size of a part that one call reads.
+  buffer_.reserve(kRequestPart);  // Greatest size of a part that one call reads.
   read_body({});
 }
 

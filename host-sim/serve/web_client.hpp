@@ -26,8 +26,8 @@ namespace sim {
 
 /// A connection of HTTP, read and written by Boost.Beast. It exists until its single request is
 /// answered, or until it has become a WebSocket. No call blocks. A slow or silent client occupies
-/// only a descriptor, until its time limit has passed. Handlers run where the transport runs those
-/// of its `io_context`; each handler keeps the client alive.
+/// only a descriptor, until its time limit has passed. The handlers of this object run in calls of
+/// the transport to its `io_context`. Each handler keeps this object alive.
 class WebClient : public std::enable_shared_from_this<WebClient> {
  public:
   using Clock = std::chrono::steady_clock;
@@ -58,7 +58,7 @@ class WebClient : public std::enable_shared_from_this<WebClient> {
 
   /// Returns the request. @pre the head has been read
   [[nodiscard]] HttpRequest& request() { return request_; }
-  /// Starts to read the body, to the length that the head announced. @pre kHasHead
+  /// Starts to read the body, up to the length that the head announced. @pre kHasHead
   void want_body();
   /// Sends the answer. @pre kHasHead or kHasAll
   void answer(const WebReply& reply);

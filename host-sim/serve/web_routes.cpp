@@ -84,8 +84,8 @@ WebReply shown(const ServedProgram& program,
   ordered_json json = outline_json(program_outline_of(program.text, standpoint.reader));
   json["faults"] = program.barriers;
   for (std::string& text : judgement.texts()) json["faults"].push_back(std::move(text));
-  // The page shows only the first note. So a note that the program is stale comes before notes
-  // about parts that were left out.
+  // The page shows only the first note. So the note that the program is stale comes first, before
+  // notes about parts of the file that were left out.
   std::vector<std::string> notes =
       stale_inputs(program.text, {}, DigestFiles::kBelowFolder, &standpoint.settings);
   notes.insert(notes.end(), program.notes.begin(), program.notes.end());
@@ -133,7 +133,7 @@ Order order_in(const std::string& body) {
   return order;
 }
 
-/// Returns a text as a page sends it back after its way through JSON: a fault may quote any byte,
+/// Returns a text as it arrives from a page that received it as JSON. A fault may quote any byte,
 /// and JSON replaces invalid UTF-8.
 std::string as_json_has_it(const std::string& text) {
   return ordered_json::parse(
@@ -251,7 +251,7 @@ WebReply WebRoutes::order(const std::string& path, const std::string& body) {
   return json_reply({{"stops", job_.program()->name}});
 }
 
-/// Returns the judgement of the job for the present state of the machine. While there is none,
+/// Returns the judgement of the job for the present state of the machine. If there is none yet,
 /// starts to make it and returns null.
 const Judgement* WebRoutes::judgement() {
   const Standpoint standpoint = standpoint_of(controller_.machine());

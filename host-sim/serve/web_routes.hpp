@@ -61,8 +61,9 @@ class WebRoutes final : public PageService {
   const LiveView& view_;
   Reception& reception_;
   ServedJob& job_;
-  BackgroundTask<Judged> judging_{};  ///< The judgement that is being made.
-  std::string judging_key_;           ///< Key of the judgement that is being made.
+  /// Task that makes a judgement of the program in another thread.
+  BackgroundTask<Judged> judging_{};
+  std::string judging_key_;  ///< Key of the judgement that this task makes.
 };
 
 }  // namespace sim

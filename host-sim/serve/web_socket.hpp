@@ -14,7 +14,7 @@ namespace sim {
 class WebSocket {
  public:
   using Clock = std::chrono::steady_clock;
-  /// Greatest number of bytes that wait to be sent. write() does not take bytes beyond it.
+  /// Greatest number of bytes that wait to be sent. write() takes no bytes beyond this number.
   static constexpr std::size_t kMaxUnsent = std::size_t{1} << 20;
   /// A client that does not take a message within this time is disconnected.
   static constexpr std::chrono::seconds kPatience{30};

@@ -15,8 +15,8 @@ namespace websocket = boost::beast::websocket;
 using boost::beast::error_code;
 
 constexpr std::size_t kMaxPayload = std::size_t{64} << 20;
-// Greatest number of bytes that one call reads. The next part of a client is read when the last one
-// was taken.
+// Greatest number of bytes that one call reads from a client. The next part is read when the reader
+// has taken all bytes of the previous part.
 constexpr std::size_t kStreamPart = std::size_t{64} << 10;
 
 bool is_ascii(std::string_view text) {
@@ -24,15 +24,15 @@ bool is_ascii(std::string_view text) {
       text.begin(), text.end(), [](char byte) { return static_cast<signed char>(byte) >= 0; });
 }
 
-/// Boost.Beast's WebSocket, with a queue in each direction. Its handlers run where the transport
-/// runs those of its `io_context`; each handler keeps the stream alive.
+/// WebSocket of Boost.Beast, with a queue in each direction. Its handlers run in calls of the
+/// transport to its `io_context`. Each handler keeps the stream alive.
 class WebStream final : public WebSocket, public std::enable_shared_from_this<WebStream> {
  public:
   explicit WebStream(boost::asio::ip::tcp::socket socket) : stream_{std::move(socket)} {
     stream_.read_message_max(kMaxPayload);
     stream_.auto_fragment(false);
-    // A sender counts as disconnected from its close frame on, however long the rest of closing
-    // takes.
+    // A sender counts as disconnected as soon as its close frame has arrived, even if the closing
+    // of the connection takes longer.
     stream_.control_callback([this](websocket::frame_type frame, auto) {
       left_ = left_ || frame == websocket::frame_type::close;
     });
@@ -154,7 +154,7 @@ class WebStream final : public WebSocket, public std::enable_shared_from_this<We
   bool receives_ = false;
   bool sends_ = false;
   bool sent_ = false;   ///< Whether a message was sent since the last call of attend().
-  bool parts_ = false;  ///< Whether the stream was closing at the last call of attend().
+  bool parts_ = false;  ///< Whether the stream was closing when attend() was last called.
   bool left_ = false;   ///< Whether the client's close frame has arrived.
   bool ended_ = false;
   bool gone_ = false;

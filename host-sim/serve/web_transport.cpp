@@ -15,15 +15,16 @@ namespace sim {
 namespace {
 
 constexpr std::ptrdiff_t kMaxAtWork = 2;
-// Greatest duration of one call that runs handlers, because the machine's time continues meanwhile.
+// Greatest duration of one call that runs handlers. It is short because the cycles of the machine
+// wait meanwhile.
 constexpr std::chrono::milliseconds kLongestRun{5};
-// Greatest number of handlers that run to read a part. A part requires a few, but those of other
-// connections may run among them.
+// Greatest number of handlers that one call runs to read a part. A part requires only a few
+// handlers, but handlers of other connections may run between them.
 constexpr int kHandlersForAPart = 64;
 constexpr std::string_view kTooManyWatch =
     R"({"refused":"Sixteen pages watch this machine already. Close one of them, and reload."})";
 
-/// A sender's connection. The transport keeps the socket until it is closed.
+/// Connection of a sender. The transport keeps the socket until the socket is closed.
 class WebConnection final : public Connection {
  public:
   WebConnection(boost::asio::io_context& context,
@@ -46,7 +47,8 @@ class WebConnection final : public Connection {
   std::size_t write(std::span<const std::byte> from) override { return socket_->write(from); }
   bool open() override { return socket_->open(); }
   void end() override { socket_->end(); }
-  void add_to(std::vector<pollfd>&, Wishes) const override {}  // The transport adds the socket.
+  // WebTransport::add_to() adds the socket.
+  void add_to(std::vector<pollfd>&, Wishes) const override {}
   [[nodiscard]] std::string_view kind() const override { return kind_; }
 
  private:
@@ -99,9 +101,9 @@ void WebTransport::meet(hal::host::Descriptor socket) {
   clients_.back()->begin();
 }
 
-/// Disconnects a client to make space for a new one: the oldest client whose request has not been
-/// read, because it does not wait for an answer yet. If there is none, the oldest client for which
-/// no thread works.
+/// Disconnects a client to make space for a new one. This is the oldest client whose request has
+/// not been read, because it does not wait for an answer yet. If there is none, it is the oldest
+/// client for which no thread works.
 void WebTransport::make_place() {
   const auto oldest = [this](auto&& may_go) {
     return std::find_if(clients_.begin(), clients_.end(), [&](const auto& client) {
