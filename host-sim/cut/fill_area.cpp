@@ -195,9 +195,9 @@ struct Box {
 Box box_of(const std::vector<Stroke>& strokes) {
   Box box{strokes.front().from, strokes.front().from};
   for (const Stroke& stroke : strokes) {
-    // Every point of an arc is within this distance of the middle of the arc.
-    const double reach =
-        0.5 * drawing::distance(stroke.from, stroke.to) * std::max(1.0, std::abs(stroke.bulge));
+    // The ends of an arc are the points farthest from its middle.
+    const double reach = 0.5 * drawing::distance(stroke.from, stroke.to) *
+                         std::sqrt(1.0 + stroke.bulge * stroke.bulge);
     const Place middle =
         stroke.bulge == 0.0 ? 0.5 * (stroke.from + stroke.to) : place_at(stroke, 0.5);
     const Place far{reach, reach};

@@ -175,6 +175,17 @@ TEST(FillArea, GroupsContoursWhoseBoxesMeet) {
   EXPECT_EQ(groups[1], (std::vector<std::size_t>{1, 3}));
 }
 
+/// The ends of the crescent are farther from the middles of its arcs than half their chord.
+TEST(FillArea, GroupsATipOfACrescentWithASquareOnIt) {
+  const Place tip{7.0, 7.0};
+  const std::vector<Stroke> crescent{{tip, -tip, 0.5}, {-tip, tip, -0.45}};
+  const std::vector<Stroke> square{{{-8.0, -8.0}, {-6.0, -8.0}},
+                                   {{-6.0, -8.0}, {-6.0, -6.9}},
+                                   {{-6.0, -6.9}, {-8.0, -6.9}},
+                                   {{-8.0, -6.9}, {-8.0, -8.0}}};
+  EXPECT_EQ(groups_by_box({crescent, square}).size(), 1U);
+}
+
 /// A plan fills a letter and its hole with one path, and before it cuts the part around it.
 TEST(FillArea, IsPlannedBeforeThePartIsCut) {
   const drawing::Drawing drawn = drawing::read(
