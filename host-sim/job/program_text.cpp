@@ -160,7 +160,7 @@ class Preparation {
     const std::size_t star = mark ? mark->covered.size() : text.size();
     if (mark && mark->form() == cnc::LineMark::Form::kNone) {
       if (faults_.size() < kMaxWrongChecks) {
-        faults_.push_back({line_, star + 1, "the check does not fit its line"});
+        faults_.push_back({line_, star + 1, "the check does not match its line"});
       }
       return;
     }

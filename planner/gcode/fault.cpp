@@ -54,10 +54,10 @@ constexpr std::array<Explanation, kFaultDetailCount> kExplanations{{
     {kInvalidTarget, "arc centre is its start"},
     {kInvalidTarget, "arc end is %v mm off its circle, limit %l mm"},
     {kInvalidTarget, "arc with R ends where it starts"},
-    {kInvalidTarget, "probe target is the present place"},
+    {kInvalidTarget, "probe target is the present position"},
     {kInvalidRadius, "arc radius is zero"},
     {kInvalidRadius, "arc radius is %v mm, limit %l mm"},
-    {kInvalidRadius, "arc end is %v mm farther away than its diameter, limit %l mm"},
+    {kInvalidRadius, "arc end is %v mm farther from its start than the diameter, limit %l mm"},
     {kNoOffsetInPlane, "arc has neither R nor a centre in its plane"},
     {kNoOffsetInPlane, "%c is missing: G90.1 needs the whole centre"},
     {kWordUnused, "nothing uses %w"},
@@ -80,8 +80,8 @@ constexpr std::array<Explanation, kFaultDetailCount> kExplanations{{
     {kUnsupportedWord, "S with several values needs laser mode, $32=1"},
     {kWordUnused, "S with several values needs a G1 that moves"},
     {kUnsupportedWord, "%w has no place between G41 or G42 and G40"},
-    {kUnsupportedWord, "%w changes what G40 has to end first"},
-    {kUnsupportedWord, "%w waits for the end of the tool change: ~"},
+    {kUnsupportedWord, "%w is not permitted before G40"},
+    {kUnsupportedWord, "%w is not permitted before ~ ends the tool change"},
     {kInvalidTarget, "the target lies beyond the travel"},
     {kValueTooLarge, "%w is no width of a cut, limit %n"},
     {kValueTooLarge, "%w names no kerf table, the last is %n: $K lists them"},
@@ -95,7 +95,7 @@ constexpr std::array<Explanation, kFaultDetailCount> kExplanations{{
     {kToolOffsetAxis, "G43.4 takes Z and no other axis"},
     {kUnsupportedWord, "%w needs five axes: $900"},
     {kUnsupportedWord, "%w has no place between G43.4 and G49"},
-    {kAxisWordsUnused, "%w ends G43.4 and stands in a line without a motion"},
+    {kAxisWordsUnused, "%w ends G43.4 and must be in a line without a motion"},
 }};
 
 constexpr const Explanation& explanation_of(FaultDetail detail) {

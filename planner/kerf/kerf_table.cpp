@@ -21,7 +21,7 @@ std::string_view describe(TableError error) {
     case TableError::kBadShape:
       return "rows, bands and points do not belong together";
     case TableError::kBadSize:
-      return "the image does not have the size that it says";
+      return "the image is not as long as its header says";
     case TableError::kNotATable:
       return "this is no kerf table";
     case TableError::kOtherVersion:

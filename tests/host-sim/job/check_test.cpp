@@ -40,8 +40,8 @@ TEST(Check, TakesChecksThatFitAndNamesThoseThatDoNot) {
   EXPECT_DOUBLE_EQ(good.path_length_mm, 10.0);
   const Report bad = checked("N1 G21*20\nN2 G1 X5 F500*1\nN3 G1 X2 F500\n");
   EXPECT_THAT(faults_of(bad),
-              ElementsAre("f:1:7: the check does not fit its line",
-                          "f:2:14: the check does not fit its line"));
+              ElementsAre("f:1:7: the check does not match its line",
+                          "f:2:14: the check does not match its line"));
   EXPECT_DOUBLE_EQ(bad.path_length_mm, 2.0);
   EXPECT_EQ(bad.refused_lines, 2U);
 }
@@ -65,7 +65,7 @@ TEST(Check, TellsOfARateThatTheMotorDoesNotReach) {
 TEST(Sim, EndsAtTheFirstWrongCheck) {
   EXPECT_THAT(simulated("N0 M110*35\nN1 G21*27\nN2 G1 X5 F500*52\n").faults, IsEmpty());
   const Report report = simulated("G1 X5 F500\nN1 G21*20\nN2 G1 X50 F500*1\n");
-  EXPECT_THAT(faults_of(report), ElementsAre("f:2:7: the check does not fit its line"));
+  EXPECT_THAT(faults_of(report), ElementsAre("f:2:7: the check does not match its line"));
   EXPECT_THAT(report.warnings, Contains("f: all figures end before line 2, which is refused"));
   EXPECT_NEAR(report.path_length_mm, 5.0, 0.01);
 }

@@ -72,9 +72,9 @@ TEST(ProgramText, NamesWrongChecksByLineAndKeepsThem) {
   const std::string file = "N1 G21*20\nN2 G1 X5 F500*52\nN3 G0*12345678\nG0 X1*0 ; no\n";
   const ProgramText program = prepare_program(file);
   EXPECT_THAT(said(program.faults),
-              ElementsAre("f:1:7: the check does not fit its line",
-                          "f:3:6: the check does not fit its line",
-                          "f:4:6: the check does not fit its line"));
+              ElementsAre("f:1:7: the check does not match its line",
+                          "f:3:6: the check does not match its line",
+                          "f:4:6: the check does not match its line"));
   EXPECT_TRUE(program.text.starts_with("N1 G21*20\n")) << "for the controller to refuse";
   std::string full;
   for (int i = 0; i < 5000; ++i) full += "N1 G21*20\n";
