@@ -31,7 +31,7 @@ inline constexpr const char* kAxisNames = "X,Y,Z,A,B,C";
 inline constexpr std::array<SettingInfo, 83> kRows{{
     SettingInfo{0, Group::kStepper, Type::kDecimal, "Step pulse time", "microseconds",
      1.0F, 12.0F, 5.0F, kThousandths,
-     "Time that a step input is held high, and after it low."},
+     "Length of a step pulse, and of the pause after it."},
     SettingInfo{1, Group::kStepper, Type::kInteger, "Step idle delay", "milliseconds",
      0.0F, 65535.0F, 25.0F, kWhole,
      "Time that motors stay powered after the last step; 255: for ever."},
@@ -97,7 +97,7 @@ inline constexpr std::array<SettingInfo, 83> kRows{{
      "Feed of the search for the switch."},
     SettingInfo{26, Group::kHoming, Type::kInteger, "Homing switch debounce delay", "milliseconds",
      0.0F, 1000.0F, 250.0F, kWhole,
-     "Time that a switch must keep a new state to be valid."},
+     "Time that a new state of a switch must last to count."},
     SettingInfo{27, Group::kHoming, Type::kDecimal, "Homing switch pull-off distance", "mm",
      0.0F, 1000.0F, 1.0F, kThousandths,
      "Distance to move away from a switch."},

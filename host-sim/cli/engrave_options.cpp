@@ -102,7 +102,8 @@ void add_row_options(CLI::App& command, EngraveOptions& options) {
   command
       .add_option("--reverse-shift",
                   options.reverse_shift_mm,
-                  "Distance that is added to X of rows to the left, mm, for a laser that acts late")
+                  "Distance that is added to X of rows that run to the left, mm, for a laser that "
+                  "reacts late")
       ->check(in_range(-10.0, 10.0, "mm"))
       ->type_name("MM");
   command.add_flag("--one-way", options.is_one_way, "Burn all rows from left to right");

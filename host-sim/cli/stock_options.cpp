@@ -114,8 +114,8 @@ void refuse_lonely(const StockOptions& options) {
   }
   if (!options.surface.empty() && !options.target.empty()) {
     throw std::invalid_argument(
-        "--stock-surface: the stock is to become a surface or the pocket of --stock-target, not "
-        "both");
+        "--stock-surface: excludes --stock-target, because the stock is compared with only one of "
+        "them; leave one out");
   }
   if (!options.box.empty()) return;
   const auto refuse_without_stock = [](const char* option) {

@@ -161,7 +161,7 @@ void CanNodePort::look_for_trouble() {
   } else if (host_.sent().given_up > 0) {
     trouble_ = fmt::format("node {} takes nothing", node_);
   } else if (host_.received().lost > 0 || wire_->port().health().lost_frames > 0) {
-    trouble_ = "frames were lost on their way to us";
+    trouble_ = "frames from the controller were lost";
   }
 }
 

@@ -11,7 +11,7 @@ namespace sim {
 namespace {
 
 constexpr std::array<CodeRemedy, 17> kAlarmRemedies{{
-    {1, "Reset, unlock, and move the axis off the switch before."},
+    {1, "First reset, unlock, and move the axis off the switch."},
     {2, "Reset and unlock; move the job or its origin so that it fits."},
     {3, "Without switches unlock, and set the origin again."},
     {4, "Unlock; free the probe, or move away from the plate, and probe again."},
@@ -35,7 +35,7 @@ constexpr std::array<CodeRemedy, 35> kErrorRemedies{{
     {2, "Give the letter a number, such as X1.5."},
     {3, "$ lists the statements; check the spelling."},
     {4, "Give a value of 0 or more."},
-    {5, "Set $22 so that the axes home; an axis alone wants its bit 1."},
+    {5, "Set $22 so that the axes home; homing of one axis requires its bit 1."},
     {6, "Give a longer step pulse in $0."},
     {7, "Unlock or reset and try again; if it fails again, the flash is worn out."},
     {8, "Wait until the machine is idle, or stop it."},

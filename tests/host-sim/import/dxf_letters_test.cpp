@@ -179,7 +179,7 @@ TEST(DxfParagraphs, CodesBeforeTheFirstLetterAreFollowedAndOthersNoted) {
   EXPECT_THAT(notes_of_dxf(set), Not(HasSubstr("not followed")));
   EXPECT_THAT(notes_of_dxf(set), HasSubstr("drawn in DejaVu Sans Mono"));
   const Drawing later = dxf_lettered(mtext_of("H\\H2x;I\\S1/2; \\C1;x \\Lu\\l"));
-  EXPECT_THAT(notes_of_dxf(later), HasSubstr("codes that are not followed: \\H \\S \\C \\L"));
+  EXPECT_THAT(notes_of_dxf(later), HasSubstr("codes that are ignored: \\H \\S \\C \\L"));
   EXPECT_NEAR(box_of(later).most.y(), 50.0, 0.2);
   EXPECT_THAT(notes_of_dxf(dxf_lettered(mtext_of("{\\H2x;H}I"))), HasSubstr("not followed: {}"));
   const OutlineBox literal = box_of(dxf_lettered(mtext_of("\\{\\\\\\}")));
