@@ -65,7 +65,7 @@ CASES = {
                        (r"X 0\.000 to 5\.000", "correct checks of lines are left out; 3 times")),
     "sums before comments": Case(b"N1 G21*27 ; mm\nN2 G1 X5 F500*52 ; go\n", (r"X 0\.000 to 5\.000",)),
     "wrong sums": Case(b"N1 G21*20\nN2 G1 X5 F500*1\n",
-                       (r":1:7: the check does not fit", r":2:14: the check does not fit"), status=1),
+                       (r":1:7: the check does not match", r":2:14: the check does not match"), status=1),
     "a star that is no sum": Case(b"G21 G90 F600\nG0 Z5\nN10 G1 X[2*5]\nG1 Z-1\nG1 Y10\nM2\n",
                                   (r":3:8: parameters and expressions are not supported",), status=1),
     "lines after M2": Case(b"G21 G90\nG1 X10 F1000\nM2\nG1 X20 F1000\nM30\n",
