@@ -49,7 +49,7 @@ constexpr std::array<CodeText, 17> kAlarms{{
     {1, "A limit switch was reached. The position may be lost; home again."},
     {2, "The target lies beyond the travel. The position is kept."},
     {3, "Stopped while moving. The position may be lost; home again."},
-    {4, "The probe was in its end state before probing began."},
+    {4, "The probe was already in the state that ends probing."},
     {5, "The probe did not change within the programmed distance."},
     {6, "Homing was ended by a reset."},
     {7, "Homing was ended by the safety door."},

@@ -182,7 +182,7 @@ void print_figures(const WallOptions& options, const WallJob& job) {
   std::FILE* stream = options.output.empty() ? stderr : stdout;
   terminal::print(stream,
                   "{}: {} layers of {:g} mm, {} strokes, {} beams, {:.1f} mm burnt and {:.1f} mm "
-                  "dark; tilt {:.3f} degrees at most, {:.3f} in the mean\n",
+                  "with the beam off; tilt {:.3f} degrees at most, {:.3f} in the mean\n",
                   options.file,
                   job.cut_layers,
                   job.layers.layer_mm,

@@ -35,8 +35,8 @@ std::vector<std::string> lines_of(const EdgeFigures& figures) {
               "corners, slots and tabs are not reached",
               text_of(figures.max_off_model),
               figures.untouched_mm),
-          fmt::format("the same where test cuts cover power and speed, at most {}; {:.2f} mm "
-                      "of edges are cut otherwise, by the same law",
+          fmt::format("this distance where test cuts cover power and speed at most {}; {:.2f} mm "
+                      "of edges are cut at other powers and speeds, by the same law",
                       text_of(figures.max_off_known),
                       figures.unknown_mm),
           fmt::format("power over speed {:.3f} to {:.3f} of the planned value{}",

@@ -32,7 +32,9 @@ class AreaFiller {
            "give its layer a greater interval");
     } else if (path->empty()) {
       fail(FaultKind::kTooSmall,
-           fmt::format("lies between two lines of a fill, {:g} mm apart", fill_.interval_mm),
+           fmt::format(
+               "is so narrow that no line of its fill crosses it; these lines are {:g} mm apart",
+               fill_.interval_mm),
            "give its layer a smaller interval, or skip it");
     } else {
       filled_.paths.push_back(*std::move(path));

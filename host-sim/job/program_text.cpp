@@ -165,7 +165,7 @@ class Preparation {
       return;
     }
     if (mark) {
-      found_[kChecks].add(line_, star + 1, "correct checks of lines are left out");
+      found_[kChecks].add(line_, star + 1, "the checks of lines are correct, and are left out");
       blank(line, star, 1 + mark->digits.size());
       blank_number_of_statement(line);
     }

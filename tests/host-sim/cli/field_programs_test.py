@@ -62,7 +62,7 @@ CASES = {
     "no-break space": Case("G21\u00a0G90\nG1\u00a0X5 F500\n".encode(), (r"X 0\.000 to 5\.000", "U\\+00A0")),
     "control bytes": Case(b"G21\x1a\nG1 X5\x07 F500\n", (r"X 0\.000 to 5\.000",)),
     "right sums": Case(b"N1 G21*27\nN2 G1 X5 F500*52\nN3 G1 X0*99\n",
-                       (r"X 0\.000 to 5\.000", "correct checks of lines are left out; 3 times")),
+                       (r"X 0\.000 to 5\.000", "the checks of lines are correct, and are left out; 3 times")),
     "sums before comments": Case(b"N1 G21*27 ; mm\nN2 G1 X5 F500*52 ; go\n", (r"X 0\.000 to 5\.000",)),
     "wrong sums": Case(b"N1 G21*20\nN2 G1 X5 F500*1\n",
                        (r":1:7: the check does not match", r":2:14: the check does not match"), status=1),

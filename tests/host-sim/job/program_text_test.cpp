@@ -59,8 +59,9 @@ TEST(ProgramText, LeavesOutGoodChecksOfAnyForm) {
                       with_crc("N4 G0 (a) X1") + "\n" + with_sum("G0 X2") + "\n");
   EXPECT_EQ(program.text,
             "N1 G21   \nN2 G1 X5 F500    ; go\nN3 G1 X0    \t\nN4 G0 (a) X1         \nG0 X2   \n");
-  EXPECT_THAT(said(program.notes),
-              ElementsAre("f:1:7: correct checks of lines are left out; 5 times in all"));
+  EXPECT_THAT(
+      said(program.notes),
+      ElementsAre("f:1:7: the checks of lines are correct, and are left out; 5 times in all"));
   EXPECT_THAT(program.faults, IsEmpty());
 }
 
