@@ -281,7 +281,7 @@ inline constexpr std::array<SettingInfo, 83> kRows{{
      "tool of length 0."},
     SettingInfo{913, Group::kX, Type::kDecimal, "of turning axis", "mm",
      -kMaxPivot, kMaxPivot, 0.0F, kThousandths,
-     "Point on C, like $910, with the tilting axis at 0."},
+     "Point on the axis C, as for $910, with the tilting axis at 0."},
     SettingInfo{916, Group::kAxes, Type::kDecimal, "Least tilt", "deg",
      -360.0F, 0.0F, -360.0F, kThousandths,
      "Least tilt that G43.4 permits."},

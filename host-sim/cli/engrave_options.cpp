@@ -93,10 +93,10 @@ void add_tone_options(CLI::App& command, EngraveOptions& options) {
 
 void add_row_options(CLI::App& command, EngraveOptions& options) {
   command
-      .add_option(
-          "--overscan",
-          options.overscan_mm,
-          "Distance past both ends of a row with the beam off, mm; default: by acceleration")
+      .add_option("--overscan",
+                  options.overscan_mm,
+                  "Distance that the head runs past both ends of a row with the beam off, mm; "
+                  "default: computed from the acceleration")
       ->check(in_range(0.0, 1000.0, "mm"))
       ->type_name("MM");
   command

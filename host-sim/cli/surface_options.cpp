@@ -345,7 +345,8 @@ void check_surface_options(const SurfaceCommandOptions& options) {
     throw std::invalid_argument("--slot-feed: only --layers have rows with stock on both sides");
   }
   if (options.levels.depth_mm > 0.0 && options.scallop_mm > 0.0) {
-    throw std::invalid_argument("--scallop: layers have rows by --step alone");
+    throw std::invalid_argument(
+        "--scallop: the rows of --layers follow --step only; leave --scallop out");
   }
   check_region_options(options.regions, options.file);
   check_smooth(options);

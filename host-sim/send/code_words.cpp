@@ -22,7 +22,7 @@ constexpr std::array<CodeRemedy, 17> kAlarmRemedies{{
     {9, "Check the limit switch, or raise the travel $130…$135; home again."},
     {10, "Check the second switch of the axis; home again."},
     {11, "Send $H, or press Home."},
-    {23, "Home; send fewer tiny lines, or slower ones."},
+    {23, "Home; send longer motions, or a lower feed."},
     {24, "Release the emergency stop, reset, and home."},
     {25, "Check the cable and the sender; unlock, and resume the job."},
     {26, "Reset and unlock; correct the line that is named, or take a narrower tool."},

@@ -84,7 +84,7 @@ class WallJoints(unittest.TestCase):
         report = self.simulated(self.path("plain.nc"), "--knots", self.path("knots.txt"))
         self.assertIn("no knots", report["warnings"][0])
         self.assertEqual(self.path("knots.txt").read_text(),
-                         "# time_s x y z a b c: places of the axes, mm and degrees\n")
+                         "# time_s x y z a b c: positions of the axes, mm and degrees\n")
 
     def test_refusals_name_the_line(self):
         self.path("tip.nc").write_text("G43.4\nM62 P1\n")

@@ -50,11 +50,11 @@ TEST(Check, TellsOfARateThatTheMotorDoesNotReach) {
   const std::string program = "G21 G90\nG1 X20 F6000\n";
   const std::vector<std::string> set{"$0=10", "$100=250", "$110=60000"};
   constexpr const char* kTold =
-      "f: $110=60000 is 250000 steps/s; pulses of $0=10 us leave 44091, so X is driven at 10582 "
+      "f: $110=60000 is 250000 steps/s; pulses of $0=10 us allow 44091, so X is driven at 10582 "
       "mm/min at most";
   EXPECT_THAT(checked(program, set).warnings, Contains(kTold));
   EXPECT_THAT(checked(program, {"$0=2.5", "$100=250", "$110=60000"}).warnings,
-              Contains(HasSubstr("pulses of $0=2.5 us leave 138571,")));
+              Contains(HasSubstr("pulses of $0=2.5 us allow 138571,")));
   const auto of_x = Contains(HasSubstr("so X is driven"));
   EXPECT_THAT(checked(program, {"$0=10", "$100=250", "$110=10582"}).warnings, Not(of_x));
   EXPECT_THAT(checked(program, {"$0=1", "$100=250", "$110=48000"}).warnings, Not(of_x));
