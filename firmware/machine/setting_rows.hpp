@@ -85,7 +85,7 @@ inline constexpr std::array<SettingInfo, 83> kRows{{
      0.0F, 255.0F, 0.0F,
      "Enabled,Each axis alone,Needed after start,Origin at the switch,Two switches on a "
      "pin,Manual,Off during the cycle,Keep after reset",
-     "How the machine finds its origin."},
+     "Options of the homing cycle."},
     SettingInfo{23, Group::kHoming, Type::kAxisMask, "Homing direction invert", "mask",
      0.0F, 63.0F, 0.0F, kAxisNames,
      "Axes whose switch is at the negative end."},

@@ -40,7 +40,7 @@ void read_box(const std::string& text, StockWish& wish) {
   if (words.size() != 5 && words.size() != 6) {
     refuse_option("--stock",
                   text,
-                  fmt::format("has {} numbers; it takes {} in mm, such as 0,0,100,80,0,-12",
+                  fmt::format("has {} numbers; it requires {} in mm, such as 0,0,100,80,0,-12",
                               words.size(),
                               kStockForm));
   }

@@ -76,7 +76,7 @@ std::vector<std::string> heading_of(const WallOptions& options,
       fmt::format("beam of {:g} degrees half angle and {:g} mm waist, {}",
                   options.half_angle_deg,
                   job.strokes.waist_mm,
-                  job.avoids ? fmt::format("clear by {:g} degrees, tilt up to {:g}",
+                  job.avoids ? fmt::format("clear of the part by {:g} degrees, tilt up to {:g}",
                                            options.clear_deg() - options.half_angle_deg,
                                            options.max_tilt_deg)
                              : std::string{"upright everywhere"}),

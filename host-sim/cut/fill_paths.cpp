@@ -51,7 +51,7 @@ class AreaFiller {
     } catch (const std::runtime_error& failure) {
       fail(FaultKind::kCrossing,
            fmt::format("is not filled along its outline: {}", failure.what()),
-           "take its contours apart there, or fill it with pattern=lines");
+           "separate its contours there, or fill it with pattern=lines");
     }
     return std::move(filled_);
   }
