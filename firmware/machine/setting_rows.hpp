@@ -223,7 +223,7 @@ inline constexpr std::array<SettingInfo, 83> kRows{{
      "Damping ratio of the swing."},
     SettingInfo{850, Group::kArcs, Type::kDecimal, "Arc repair, distance", "mm",
      0.0F, 0.5F, 0.05F, kThousandths,
-     "Distance of an arc's end from its circle above which it is refused."},
+     "Distance of an arc's end from its circle above which the arc is refused."},
     SettingInfo{851, Group::kArcs, Type::kDecimal, "Arc repair, share of radius", "percent",
      0.0F, 10.0F, 1.0F, kThousandths,
      "Like $850, but a share of the radius; the greater of both counts."},

@@ -147,7 +147,7 @@ class Offered(unittest.TestCase):
 
     def test_watts_and_shares_need_the_full_power(self):
         error = self.cut(BOX, "--kerf", "0.15", "--power", "40W", status=2).stderr
-        self.assertIn("in watts and as a share; give the power of the laser, W, with --full-power", error)
+        self.assertIn("in watts and as a share of full power; give the power of the laser, W, with --full-power", error)
         self.cut(BOX, "--kerf", "0.15", "--power", "40W", "--layer", "C01: kind=skip")
 
     def test_any_settings_are_those_of_the_program(self):
