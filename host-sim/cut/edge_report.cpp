@@ -26,7 +26,7 @@ std::vector<std::string> lines_of(const EdgeFigures& figures) {
   const double corners = figures.greatest_corner_ratio;
   const std::string at_corners =
       corners > 0.0 ? fmt::format(", at corners {:.3f} at most", corners) : std::string{};
-  return {fmt::format("off the part at most {}, left on it at most {}, mean {:.1f} um",
+  return {fmt::format("cut off the part at most {}, left on it at most {}, mean error {:.1f} um",
                       text_of(figures.max_off),
                       text_of(figures.max_left),
                       kMicrometres * figures.mean_mm),
