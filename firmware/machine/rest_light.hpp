@@ -18,7 +18,7 @@ namespace cnc {
 class RestLight {
  public:
   /// Message to the sender when light was required but not allowed.
-  static constexpr std::string_view kRefusalText = "Dark at rest: $870, $871";
+  static constexpr std::string_view kRefusalText = "Beam off at rest: $870 and $871 allow light";
   /// Number of periods of the watch in a millisecond.
   static constexpr std::uint32_t kPeriodsPerMs = 4;
 

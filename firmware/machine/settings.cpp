@@ -44,9 +44,9 @@ std::string_view describe(SettingError error) {
     case SettingError::kNotWhole:
       return "this setting takes whole numbers";
     case SettingError::kPlaceLost:
-      return "at this resolution the present place would be out of reach";
+      return "at this resolution the present position would be out of range";
     case SettingError::kInUse:
-      return "G43.4 goes by this setting: G49 ends it";
+      return "G43.4 uses this setting: end it by G49";
   }
   return {};
 }

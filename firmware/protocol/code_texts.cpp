@@ -10,7 +10,7 @@ namespace {
 constexpr std::array<CodeText, 35> kErrors{{
     {1, "A word of G-code begins with a letter, and only a comment holds other bytes."},
     {2, "A number is missing or has a wrong form."},
-    {3, "No such $ statement, or not here."},
+    {3, "No such $ statement, or not now."},
     {4, "The value must not be negative."},
     {5, "Homing is switched off ($22)."},
     {6, "The step pulse would be too short."},
@@ -46,11 +46,11 @@ constexpr std::array<CodeText, 35> kErrors{{
 }};
 
 constexpr std::array<CodeText, 17> kAlarms{{
-    {1, "A limit switch was reached. The place may be lost; home again."},
-    {2, "The target lies beyond the travel. The place is kept."},
-    {3, "Stopped while moving. The place may be lost; home again."},
-    {4, "The probe was in its end state before probing began."},
-    {5, "The probe did not change within the way programmed."},
+    {1, "A limit switch was reached. The position may be lost; home again."},
+    {2, "The target lies beyond the travel. The position is kept."},
+    {3, "Stopped while moving. The position may be lost; home again."},
+    {4, "The probe was already in the state that ends probing."},
+    {5, "The probe did not change within the programmed distance."},
     {6, "Homing was ended by a reset."},
     {7, "Homing was ended by the safety door."},
     {8, "Homing did not release the switch by pulling off."},
@@ -59,10 +59,10 @@ constexpr std::array<CodeText, 17> kAlarms{{
     {11, "Homing is required."},
     {23, "Motion was cut off because the plan came too late."},
     {24, "The emergency stop is pressed."},
-    {25, "The link fell silent while the beam was on ($858). The place is kept."},
-    {26, "The path beside the programmed one cannot be driven. The place is kept."},
-    {27, "The path did not pass the place where the program was interrupted."},
-    {28, "The store is damaged. Check settings and offsets, and store one again."},
+    {25, "The link fell silent while the beam was on ($858). The position is kept."},
+    {26, "The compensated path cannot be driven. The position is kept."},
+    {27, "The path did not pass the position where the program was interrupted."},
+    {28, "The store is damaged. Check settings and offsets, and store one of them again."},
 }};
 
 }  // namespace

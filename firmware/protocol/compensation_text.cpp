@@ -11,11 +11,11 @@ std::string_view words_of(compensation::Reason reason) {
   using enum compensation::Reason;
   switch (reason) {
     case kEntryTooShort:
-      return " is the entry, and no longer than half the cut";
+      return " is the entry, and must be longer than half the cut";
     case kExitNotALine:
-      return " is the exit, and no straight line";
+      return " is the exit, and must be a straight line";
     case kOtherAxis:
-      return " moves beside the plane";
+      return " moves out of the plane";
     case kUnreachable:
       return " is narrower than the cut";
     case kTooNear:

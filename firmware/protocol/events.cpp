@@ -50,7 +50,8 @@ bool LineProtocol::tell_news() {
     if (told_alarm_ == Alarm::kNone) return false;
     answer(begin_answer().text("ALARM:").number(static_cast<std::uint32_t>(told_alarm_)).end());
     if (machine_.needs_reset()) message("Reset to continue");
-    if (starts_) message("A startup line raised it: reset and $X, then $N0= or $N1= clears it");
+    if (starts_)
+      message("A startup line raised the alarm: reset, $X, then clear the line by $N0= or $N1=");
     return true;
   }
   if (const Uncut* const uncut = machine_.take_uncut()) {
@@ -109,7 +110,7 @@ void LineProtocol::welcome() {
   greet();
   if (machine_.alarm() == Alarm::kNone) startup_line_ = 0;
   if (machine_.alarm() == Alarm::kStoreDamaged) {
-    message("The store is damaged. Check settings and offsets, and store one again.");
+    message("The store is damaged. Check settings and offsets, and store one of them again.");
   }
   tell_waiting_limits();
   tell_trouble();

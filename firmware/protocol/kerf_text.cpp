@@ -134,7 +134,7 @@ void put_kerf_refusal(Reply& reply, const kerf::Refusal& refusal) {
       reply.text(" mm/min are permissible");
       return;
     case kerf::RefusalReason::kNoSpeed:
-      reply.text("no speed is permissible for all that was cut around this");
+      reply.text("no speed is permissible by all neighbouring test cuts");
       return;
   }
 }

@@ -239,7 +239,7 @@ bool LineProtocol::read_line() {
 bool LineProtocol::refuse_lost_line() {
   if (!receiver_.take_lost_line()) return false;
   assembler_ = {};
-  refuse(error_number::kLineTooLong, 0, "more lines came than there is room for: reset");
+  refuse(error_number::kLineTooLong, 0, "more lines came than the buffer holds: reset");
   return true;
 }
 
@@ -262,7 +262,7 @@ bool LineProtocol::passes_check(std::string_view& line) {
     case LineCheck::Verdict::kWrong:
       refuse(error_number::kWrongCheck,
              assembler_.whole() ? static_cast<std::uint32_t>(line.size() + 1) : 0,
-             "the check does not fit its line");
+             "the check does not match its line");
       return false;
   }
   return false;

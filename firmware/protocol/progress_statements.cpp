@@ -35,14 +35,15 @@ void LineProtocol::reenter(const Statement& statement) {
     return acknowledge();
   }
   if (wanted != machine_.progress().noted().line.number) {
-    return refuse(error_number::kBadNumber, statement.column, "no program was interrupted there");
+    return refuse(
+        error_number::kBadNumber, statement.column, "no program was interrupted at this line");
   }
   if (!machine_.progress().can_reenter(machine_.homed())) {
-    return refuse(error_number::kLocked, 0, "the place may be lost: home before");
+    return refuse(error_number::kLocked, 0, "the position may be lost: home first");
   }
   if (machine_.locked()) return refuse(error_number::kLocked);
   machine_.reenter();
-  message("Dark until the place is passed");
+  message("Beam off until the position is passed");
   acknowledge();
 }
 
@@ -59,7 +60,7 @@ void LineProtocol::save_progress() {
     return;
   if (stored_.save_progress(progress)) return;
   saving_failed_ = true;
-  message("The store cannot keep where the program was");
+  message("The store cannot keep the program's progress");
 }
 
 }  // namespace cnc

@@ -37,12 +37,12 @@ bool LineProtocol::attend_startup_trial() {
   startup_trial_.reset();
   if (!failed) return false;
   if (!stored_.save_startup_line(index, before.view())) {
-    message("The store cannot take the startup line back: clear it by $N0= or $N1=");
+    message("The store cannot restore the startup line: clear it by $N0= or $N1=");
     return true;
   }
   Reply reply = begin_answer();
   reply.text("[MSG:$N").number(static_cast<std::uint32_t>(index));
-  answer(reply.text(" failed, and is as before again]").end());
+  answer(reply.text(" failed; its previous text is restored]").end());
   return true;
 }
 

@@ -189,7 +189,7 @@ void LineProtocol::unlock() {
       return refuse(error_number::kDoorOpen);
     }
     if (machine_.inputs().emergency_stop) return refuse(error_number::kEmergencyStop);
-    return refuse(error_number::kLocked, 0, "only a reset makes this alarm fit to be unlocked");
+    return refuse(error_number::kLocked, 0, "this alarm needs a reset before $X");
   }
   message("Caution: Unlocked");
   acknowledge();

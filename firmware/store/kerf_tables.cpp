@@ -89,7 +89,7 @@ std::string_view describe(KerfTablesError error) {
     case KerfTablesError::kDamaged:
       return "this kerf table is damaged; write it again or forget it";
     case KerfTablesError::kOutOfOrder:
-      return "parts come in order, of 96 bytes but the last; begin again with $KW=0:";
+      return "parts come in order, each of 96 bytes except the last; begin again with $KW=0:";
     case KerfTablesError::kNothing:
       return "no kerf table was written; begin with $KW=0:";
     case KerfTablesError::kStoreFailed:

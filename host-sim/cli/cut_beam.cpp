@@ -54,7 +54,8 @@ void guess_full_power(cut::Beam& beam,
   });
   if (watts > 0.0 && has_shares) {
     throw std::invalid_argument(
-        "power is given in watts and as a share; give the power of the laser, W, with --full-power "
+        "power is given both in watts and as a share of full power; give the power of the laser, "
+        "W, with --full-power "
         "or --machine");
   }
   beam.knows_watts = watts > 0.0;

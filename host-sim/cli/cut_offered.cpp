@@ -72,7 +72,7 @@ void drop_operation(OfferedValues& offered, LayerChoice& choice, const std::stri
     dropped += (dropped.empty() ? "" : ", ") + text_of_value(value);
     return true;
   });
-  if (!dropped.empty()) choice.not_taken.push_back(fmt::format("{} not, {}", dropped, reason));
+  if (!dropped.empty()) choice.not_taken.push_back(fmt::format("{} not used, {}", dropped, reason));
 }
 
 /// Returns the use of a layer's power and speed by the side on which the layer is driven: `lines`,
@@ -93,9 +93,9 @@ LayerChoice choice_of(const CutCommandOptions& options,
   const cut::Side side = choice.settings.side;
   std::string reason;
   if (use_of(side) != use_of(as_offered.side)) {
-    reason = fmt::format("as they are for {}", use_of(as_offered.side));
+    reason = fmt::format("because they are for {}", use_of(as_offered.side));
   } else if (!is_engraved(side) && !options.record.material.empty()) {
-    reason = "as the material gives them";
+    reason = "because the material gives them";
   }
   if (!reason.empty()) {
     drop_operation(offered, choice, reason);

@@ -66,8 +66,8 @@ void add_common_options(CLI::App& command, const std::shared_ptr<CutCommandOptio
   add("passes", "COUNT", "Number of passes over each contour; default: 1");
   add("passes-by",
       "WHAT",
-      "Order of passes: contour, all passes of a contour before the next contour, or layer, all "
-      "contours of a layer before the next pass; default: contour");
+      "Order of passes: contour (all passes of a contour, then the next contour) or layer (a pass "
+      "over all contours of a layer, then the next pass); default: contour");
   add("z-step",
       "MM",
       "Distance by which Z goes down for each pass after the first, mm; default: 0");
@@ -93,11 +93,11 @@ void add_common_options(CLI::App& command, const std::shared_ptr<CutCommandOptio
       "Angle from which a change of direction counts as a corner, degrees; default: 45");
   add("common-line",
       "MM",
-      "Excess of the gap between two parts over the kerf up to which one cut separates both, mm; "
-      "default: 0, never");
+      "Greatest width by which the gap between two parts may exceed the kerf so that one cut "
+      "separates both, mm; default: 0, never");
   add("narrow",
       "MM",
-      "Material that a single cut along the middle of narrow waste may take off either edge, mm; "
+      "Greatest width that one cut along the middle of narrow waste takes off each edge, mm; "
       "narrow\nwaste is narrower than the kerf; default: 0, no such cut");
   add("start",
       "WHERE",
@@ -140,7 +140,7 @@ void add_layer_options(CLI::App& command, CutCommandOptions& options) {
   command
       .add_option("--layer",
                   options.layers,
-                  "Values for a layer that differ from the others, as below; may be repeated")
+                  "Values for one layer in place of the general ones, as below; may be repeated")
       ->type_name("TEXT")
       ->allow_extra_args(false);
   add_file(command,

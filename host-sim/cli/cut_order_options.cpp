@@ -80,7 +80,7 @@ void add_cut_order_options(CLI::App& command, CutOrderOptions& options) {
       .add_option(
           "--group",
           options.grouping,
-          "Contours that are cut one after the other: of a layer, of a part, or no grouping")
+          "Grouping of contours that are cut one after the other: by layer, by part, or none")
       ->transform(CLI::CheckedTransformer(
           words_of({cut::Grouping::kNone, cut::Grouping::kLayer, cut::Grouping::kPart})))
       ->option_text("none|layer|part [none]");

@@ -155,7 +155,7 @@ class RecipeReader {
   /// Reads `{"NAME": {"key": value}}`, or a list of objects `{"name": "NAME", "key": value}`.
   void read_layers(const Json& layers) {
     if (!options_.layers_file.empty()) {
-      refuse("/layers", "excludes --layers of the call; give --layer instead");
+      refuse("/layers", "excludes the option --layers; leave one out, or give --layer");
     }
     const std::string pointer = fmt::format("/{}", kLayersKey);
     if (layers.is_object()) {

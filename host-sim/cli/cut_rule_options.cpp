@@ -21,7 +21,7 @@ void add_cut_rule_options(CLI::App& command, CutRuleOptions& options) {
   command
       .add_option("--mark-power",
                   options.mark_percent,
-                  "Power with which rules mark, % of the layer's power")
+                  "Power for contours that a rule marks, % of the layer's power")
       ->check(in_range(0.1, 100.0, "%"))
       ->type_name("%")
       ->capture_default_str();

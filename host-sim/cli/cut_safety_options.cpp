@@ -25,8 +25,10 @@ void add_cut_safety_options(CLI::App& command, const std::shared_ptr<CutCommandO
         ->check(in_range(kShortestMm, most, "mm"))
         ->type_name("MM");
   };
-  CLI::Option* const avoid = command.add_flag(
-      "--avoid-freed", safety.avoid_freed, "Lead rapids round holes and parts that were cut free");
+  CLI::Option* const avoid =
+      command.add_flag("--avoid-freed",
+                       safety.avoid_freed,
+                       "Route rapids around holes and parts that were cut free");
   add("--avoid-margin",
       safety.avoid_margin_mm,
       kMaxDistanceMm,
@@ -35,15 +37,14 @@ void add_cut_safety_options(CLI::App& command, const std::shared_ptr<CutCommandO
   add("--lift",
       safety.lift_mm,
       1000.0,
-      "Z of rapids for which no path round exists, mm; default: such a rapid is a fault")
+      "Z of rapids that have no path around holes and parts, mm; default: such a rapid is a fault")
       ->needs(avoid);
   CLI::Option* const cool =
       command
-          .add_option(
-              "--cool",
-              safety.cool_s,
-              "Least time between a cut and a pierce near it, s: kept by another order where "
-              "that is quicker, otherwise by a rest")
+          .add_option("--cool",
+                      safety.cool_s,
+                      "Least time between a cut and a pierce near it, s: kept by a different order "
+                      "of cuts where that is quicker, otherwise by waiting")
           ->check(in_range(0.001, kMaxCoolS, "s"))
           ->type_name("S");
   add("--cool-distance",
@@ -63,7 +64,7 @@ void add_cut_safety_options(CLI::App& command, const std::shared_ptr<CutCommandO
   command
       .add_option("--slice-margin",
                   safety.slice_margin_mm,
-                  "Width of the sheet around all cuts, mm; default: 5")
+                  "Width of the strip of sheet around all cuts, mm; default: 5")
       ->check(in_range(0.0, kMaxLengthMm, "mm"))
       ->needs(slice)
       ->type_name("MM");

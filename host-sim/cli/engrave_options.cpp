@@ -93,16 +93,17 @@ void add_tone_options(CLI::App& command, EngraveOptions& options) {
 
 void add_row_options(CLI::App& command, EngraveOptions& options) {
   command
-      .add_option(
-          "--overscan",
-          options.overscan_mm,
-          "Distance past both ends of a row with the beam off, mm; default: by acceleration")
+      .add_option("--overscan",
+                  options.overscan_mm,
+                  "Distance that the head runs past both ends of a row with the beam off, mm; "
+                  "default: computed from the acceleration")
       ->check(in_range(0.0, 1000.0, "mm"))
       ->type_name("MM");
   command
       .add_option("--reverse-shift",
                   options.reverse_shift_mm,
-                  "Distance that is added to X of rows to the left, mm, for a laser that acts late")
+                  "Distance that is added to X of rows that run to the left, mm, for a laser that "
+                  "reacts late")
       ->check(in_range(-10.0, 10.0, "mm"))
       ->type_name("MM");
   command.add_flag("--one-way", options.is_one_way, "Burn all rows from left to right");

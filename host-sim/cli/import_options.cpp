@@ -60,8 +60,8 @@ void add_import_options(CLI::App& command, drawing::ImportOptions& options) {
             const auto named = drawing::drawing_unit_mm(text);
             options.unit_mm = named ? *named : std::stod(text);
           },
-          fmt::format("Unit of a DXF, or pixel of an SVG, in place of that in the drawing: {}, or "
-                      "its length in mm",
+          fmt::format("Unit of a DXF, or of the pixels of an SVG, in place of the unit in the "
+                      "drawing: {}, or the length of the unit in mm",
                       drawing::drawing_unit_names()))
       ->check(unit_values())
       ->type_name("UNIT");

@@ -98,22 +98,24 @@ void add_fit_command(CLI::App& kerf, ExitStatus&) {
       ->check(in_range(0.0, 10.0, "MPa"));
   LawCriterion& criterion = options->fit.criterion;
   command
-      ->add_option("--law-close",
-                   criterion.close_mm,
-                   "Greatest distance of a mean of cuts from a law that holds, mm")
+      ->add_option(
+          "--law-close",
+          criterion.close_mm,
+          "Greatest distance of a mean of cuts from the law for the law to be accepted, mm")
       ->check(in_range(0.0, 10.0, "mm"))
       ->capture_default_str();
   command
-      ->add_option(
-          "--law-correlation",
-          criterion.min_correlation,
-          "Least correlation with which a law holds, too, if no mean is farther than --law-far")
+      ->add_option("--law-correlation",
+                   criterion.min_correlation,
+                   "Least correlation with which a law is also accepted, if no mean is farther "
+                   "from it than --law-far")
       ->check(in_range(0.0, 1.0, ""))
       ->capture_default_str();
   command
-      ->add_option("--law-far",
-                   criterion.far_mm,
-                   "Greatest distance of a mean from a law with that correlation, mm")
+      ->add_option(
+          "--law-far",
+          criterion.far_mm,
+          "Greatest distance of a mean of cuts from a law that is accepted by its correlation, mm")
       ->check(in_range(0.0, 10.0, "mm"))
       ->capture_default_str();
   command->callback([options] { fit(*options); });

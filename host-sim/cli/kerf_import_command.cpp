@@ -98,7 +98,7 @@ OperationsByMaterial operations_of(const drawing::MaterialLibrary& library,
     if (!operation) {
       print_left_out(options,
                      entry,
-                     fmt::format("the mode {:.40} is neither Cut nor Scan; it is left out",
+                     fmt::format("the mode {:.40} is neither Cut nor Scan; the entry is left out",
                                  printable_line(entry.settings.kind)));
       continue;
     }

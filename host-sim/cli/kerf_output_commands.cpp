@@ -98,7 +98,7 @@ void add_plot_command(CLI::App& kerf) {
 /// Returns a slot for every combination of the named powers and speeds.
 std::vector<cnc::kerf::Condition> named_slots(const CalibrateOptions& options) {
   if (options.powers_w.empty() || options.speeds_mm_min.empty()) {
-    throw std::invalid_argument("--powers and --speeds belong together");
+    throw std::invalid_argument("--powers and --speeds require each other; give both");
   }
   std::vector<cnc::kerf::Condition> slots;
   for (const double power : options.powers_w) {
@@ -158,7 +158,8 @@ std::vector<Experiment> cuts_like(const std::vector<Experiment>& measured,
 void take_measurements(const CalibrateOptions& options) {
   if (options.record.data_base.empty()) throw std::invalid_argument("--db is missing");
   if (!options.program.empty() || !options.form.empty()) {
-    throw std::invalid_argument("--measured reads a form; --out and --form write a new one");
+    throw std::invalid_argument(
+        "--measured reads a form, but --out and --form write one; leave --measured or these out");
   }
   const CutOptions cuts{
       options.record.data_base, options.limits, options.plan.laser, options.person, true};

@@ -194,7 +194,7 @@ void write_grid(const CLI::App& command, TestGridOptions& options) {
                   grid.passes == 1 ? "1 pass" : fmt::format("{} passes", grid.passes));
   std::vector<std::string> heading{fmt::format("kerfline kerf test-grid: {}", grid.material),
                                    about,
-                                   "nothing of it is measured"};
+                                   "none of its values is measured"};
   if (grid.thickness_mm > 0.0) heading[0] += fmt::format(", {:g} mm", grid.thickness_mm);
   if (!options.program.empty()) {
     write_file(options.program, options.post.applied_to(program_of(grid, program, heading)));
@@ -215,7 +215,8 @@ void write_grid(const CLI::App& command, TestGridOptions& options) {
 void take_form(const TestGridOptions& options) {
   if (options.data_base.empty()) throw std::invalid_argument("--db is missing");
   if (!options.program.empty() || !options.form.empty()) {
-    throw std::invalid_argument("--measured reads a form; --out and --form write a new one");
+    throw std::invalid_argument(
+        "--measured reads a form, but --out and --form write one; leave --measured or these out");
   }
   const MeasuredGrid found = read_form(read_text(options.measured),
                                        name_of_input(options.measured),

@@ -73,7 +73,8 @@ class Refusals {
   void of(std::initializer_list<const char*> names, const char* mode, const char* remedy) const {
     for (const char* name : names) {
       if (command_.count(name) == 0) continue;
-      throw std::invalid_argument{fmt::format("{} has no {}; {}", mode, name, remedy)};
+      throw std::invalid_argument{
+          fmt::format("{}: cannot be used with {}; {}", name, mode, remedy)};
     }
   }
 
@@ -126,12 +127,12 @@ void check_sizes(const PocketCommandOptions& options) {
 void check_pocket_options(const CLI::App& command, const PocketCommandOptions& options) {
   check_sizes(options);
   const Refusals refusals{command};
-  if (options.finish_mm == 0.0) refusals.of({"--wear"}, "this call", "add --finish");
+  if (options.finish_mm == 0.0) refusals.of({"--wear"}, "a call without --finish", "add --finish");
   if (!options.holes.empty() && !options.plunges()) {
-    refusals.of({"--holes"}, "this entry", "add --entry plunge");
+    refusals.of({"--holes"}, "this entry into the stock", "add --entry plunge");
   }
   if (options.rest_of_mm > 0.0) {
-    refusals.of({"--finish"}, "--rest-of", "its passes run along the walls already");
+    refusals.of({"--finish"}, "--rest-of", "the passes of --rest-of already run along the walls");
     refusals.of({"--stock"}, "--rest-of", "mill open pockets with one tool");
   }
   if (!options.stock.empty()) {
@@ -147,7 +148,7 @@ void check_pocket_options(const CLI::App& command, const PocketCommandOptions& o
     case pocket::Strategy::kAdaptive:
       return refusals.of({"--stepover", "--corner", "--conventional"},
                          "--strategy adaptive",
-                         "--engagement bounds the cut");
+                         "--engagement limits the cut");
     case pocket::Strategy::kZigzag:
       refusals.of({"--conventional"}, "--strategy zigzag", "lines run in both directions");
       break;
@@ -155,7 +156,7 @@ void check_pocket_options(const CLI::App& command, const PocketCommandOptions& o
       refusals.of(
           {"--stepover", "--corner", "--entry", "--slope", "--conventional", "--finish", "--stock"},
           "--strategy paper",
-          "it is as printed");
+          "that strategy follows the paper exactly");
       break;
     case pocket::Strategy::kContour:
     case pocket::Strategy::kSpiral:

@@ -23,7 +23,7 @@ void add_shape_options(CLI::App& command, PocketCommandOptions& options) {
       .add_option(
           "--tool",
           options.tool,
-          "Diameter of the tool, of a V tool its greatest, mm; or the tool's name in --tools")
+          "Diameter of the tool, mm (the greatest one of a V tool), or the tool's name in --tools")
       ->required()
       ->type_name("MM|NAME");
   mark_file(command

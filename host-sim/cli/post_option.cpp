@@ -28,7 +28,7 @@ void PostOption::read(const CLI::App& command, InputFiles& inputs, unsigned& dec
   const unsigned most = *post_->decimals;
   if (command.count("--decimals") > 0 && decimals > most) {
     throw std::invalid_argument(fmt::format(
-        "--decimals {}: the post {} has {}; give at most that many", decimals, file_, most));
+        "--decimals {}: the post {} allows {}; give at most that many", decimals, file_, most));
   }
   decimals = std::min(decimals, most);
 }

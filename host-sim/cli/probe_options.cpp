@@ -29,14 +29,15 @@ void ProbeOptions::add_to(CLI::App& command) {
       ->check(in_range(-10'000.0, 10'000.0, "mm"))
       ->type_name("Z")
       ->default_str(fmt::format("{}", MachineModel{}.probe_plate_z_mm));
-  mark_file(command
-                .add_option("--probe-surface",
-                            surface,
-                            "Surface that the probe touches: a grid or a mesh as kerfline\n"
-                            "surface reads them, mm in machine coordinates. Without\n"
-                            "--probe-plate there is then no plate")
-                ->type_name("FILE"),
-            FileRole::kInput);
+  mark_file(
+      command
+          .add_option(
+              "--probe-surface",
+              surface,
+              "Surface that the probe touches: a grid or a mesh as kerfline\nsurface reads them, "
+              "mm in machine coordinates. If\n--probe-plate is not given, there is no plate")
+          ->type_name("FILE"),
+      FileRole::kInput);
   command
       .add_option(
           "--probe-tip",

@@ -174,8 +174,8 @@ void add_sim_command(CLI::App& app, ExitStatus& status) {
              "Write the controller's answers, as a sender logs them");
   add_output("--knots",
              options->outputs.knots,
-             "Write `time_s x y z a b c` of the axes for each cell of the plan, under G43.4 and "
-             "with input shaping");
+             "Write the positions of the axes, `time_s x y z a b c`, at each cell of the plan; "
+             "only under G43.4 or with input shaping");
   add_output("--svg", options->outputs.svg, "Draw the cut path as SVG");
   add_output("--png", options->outputs.png, "Draw the cut path as PNG");
   command

@@ -40,7 +40,7 @@ void read_box(const std::string& text, StockWish& wish) {
   if (words.size() != 5 && words.size() != 6) {
     refuse_option("--stock",
                   text,
-                  fmt::format("has {} numbers; it takes {} in mm, such as 0,0,100,80,0,-12",
+                  fmt::format("has {} numbers; it requires {} in mm, such as 0,0,100,80,0,-12",
                               words.size(),
                               kStockForm));
   }
@@ -114,8 +114,8 @@ void refuse_lonely(const StockOptions& options) {
   }
   if (!options.surface.empty() && !options.target.empty()) {
     throw std::invalid_argument(
-        "--stock-surface: the stock is to become a surface or the pocket of --stock-target, not "
-        "both");
+        "--stock-surface: excludes --stock-target, because the stock is compared with only one of "
+        "them; leave one out");
   }
   if (!options.box.empty()) return;
   const auto refuse_without_stock = [](const char* option) {

@@ -192,8 +192,8 @@ void add_patch_options(CLI::App& command, PatchOptions& options) {
             FileRole::kOutput);
   command.add_flag("--smooth",
                    options.smooth,
-                   "Mill along such patches: over a noisy grid the path is smooth, never cuts in, "
-                   "and is up to\n--fit-tolerance higher");
+                   "Mill along smooth patches: over a noisy grid the path is smooth, never cuts "
+                   "in, and is up to\n--fit-tolerance higher");
   command
       .add_option("--fit-tolerance",
                   options.fit_mm,
@@ -219,7 +219,8 @@ void check_approach(const SurfaceCommandOptions& options) {
     throw std::invalid_argument("--approach: must be a direction, such as -1,0,0");
   }
   if (options.wants_patches()) {
-    throw std::invalid_argument("--approach: patches fit a grid that is seen from above");
+    throw std::invalid_argument(
+        "--approach: patches fit a grid only as seen from above; leave --approach out");
   }
 }
 
@@ -247,18 +248,19 @@ void check_line_options(const SurfaceCommandOptions& options) {
     refuse("--direction", "rows to and fro cut in both directions; use --order oneway");
   }
   if (options.stock.margin_mm && options.paths != SurfacePaths::kRough) {
-    refuse("--stock-margin", "only --paths rough comes in from outside the stock");
+    refuse("--stock-margin",
+           "only --paths rough uses the stock's margin; leave it out, or add --paths rough");
   }
   if (are_rows) return;
   if (options.pencil.is_wanted)
-    refuse("--pencil", "goes along valleys in place of --paths; leave one out");
-  if (options.angle_deg) refuse("--angle", "only rows have one; leave it out, or --paths");
+    refuse("--pencil", "mills along valleys, not along --paths; leave one out");
+  if (options.angle_deg) refuse("--angle", "only rows have an angle; leave it out, or --paths");
   if (options.order) {
-    refuse("--order", "only rows have one; lines of --paths have a --direction");
+    refuse("--order", "only rows have an order; give the lines of --paths a --direction");
   }
   if (options.paths == SurfacePaths::kRough) return check_rough_options(options);
   if (options.levels.depth_mm > 0.0) {
-    refuse("--layers", "only rows have layers; waterlines go down by their --step");
+    refuse("--layers", "only rows have layers; leave it out, because waterlines go down by --step");
   }
 }
 
@@ -343,7 +345,8 @@ void check_surface_options(const SurfaceCommandOptions& options) {
     throw std::invalid_argument("--slot-feed: only --layers have rows with stock on both sides");
   }
   if (options.levels.depth_mm > 0.0 && options.scallop_mm > 0.0) {
-    throw std::invalid_argument("--scallop: layers have rows by --step alone");
+    throw std::invalid_argument(
+        "--scallop: the rows of --layers follow --step only; leave --scallop out");
   }
   check_region_options(options.regions, options.file);
   check_smooth(options);

@@ -30,8 +30,8 @@ void check_rough_options(const SurfaceCommandOptions& options) {
                                        std::pair{"--rest-of", !options.regions.rest_of.empty()},
                                        std::pair{"--scallop", options.scallop_mm > 0.0}}) {
     if (!is_given) continue;
-    throw std::invalid_argument(
-        fmt::format("{}: roughing in levels has none; leave it out, or take --paths rows", name));
+    throw std::invalid_argument(fmt::format(
+        "{}: is not possible with --paths rough; leave it out, or take --paths rows", name));
   }
   if (options.stock.margin_mm && options.margin_mm > 0.0) {
     throw std::invalid_argument(

@@ -21,7 +21,7 @@ CLI::Validator range(Number least, Number most, const char* unit, const char* ki
     const auto read = std::from_chars(begin, end, value);
     const bool is_number = read.ec == std::errc{} && read.ptr == end;
     if (!is_number || std::isnan(static_cast<double>(value))) {
-      return fmt::format("`{}` is {}; it takes {}", text, kind, words);
+      return fmt::format("`{}` is {}; write {}", text, kind, words);
     }
     if (value < least || value > most) return fmt::format("{} is out of range, {}", text, words);
     return {};

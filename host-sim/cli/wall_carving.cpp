@@ -180,8 +180,8 @@ ExitStatus run_taper(const TaperOptions& options) {
   const wall::TaperFit fit =
       wall::fit_taper(InputFiles::read(options.cuts), options.half_angle_deg, options.cuts);
   terminal::print(
-      "heat leans walls by {:.3f} degrees; additional lean of the beam removes {:.3f} "
-      "of itself\n--taper-gain {:.4f}\n",
+      "heat leans walls by {:.3f} degrees; an additional lean of the beam reduces this by {:.3f} "
+      "of its angle\n--taper-gain {:.4f}\n",
       fit.heat_deg,
       fit.response,
       fit.gain);

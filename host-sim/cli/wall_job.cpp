@@ -76,7 +76,7 @@ std::vector<std::string> heading_of(const WallOptions& options,
       fmt::format("beam of {:g} degrees half angle and {:g} mm waist, {}",
                   options.half_angle_deg,
                   job.strokes.waist_mm,
-                  job.avoids ? fmt::format("clear by {:g} degrees, tilt up to {:g}",
+                  job.avoids ? fmt::format("clear of the part by {:g} degrees, tilt up to {:g}",
                                            options.clear_deg() - options.half_angle_deg,
                                            options.max_tilt_deg)
                              : std::string{"upright everywhere"}),
@@ -183,7 +183,7 @@ void print_figures(const WallOptions& options, const WallJob& job) {
   std::FILE* stream = options.output.empty() ? stderr : stdout;
   terminal::print(stream,
                   "{}: {} layers of {:g} mm, {} strokes, {} beams, {:.1f} mm burnt and {:.1f} mm "
-                  "dark; tilt {:.3f} degrees at most, {:.3f} in the mean\n",
+                  "with the beam off; tilt {:.3f} degrees at most, {:.3f} in the mean\n",
                   options.file,
                   job.cut_layers,
                   job.layers.layer_mm,

@@ -57,13 +57,13 @@ void add_beam_options(CLI::App& command, WallOptions& options) {
 void add_layer_options(CLI::App& command, WallJobOptions& job) {
   const CLI::Validator length = in_range(1.0e-4, 1.0e3, "mm");
   const CLI::Validator margin = in_range(0.0, 1.0e3, "mm");
-  add_number(
-      command,
-      "--layer",
-      job.layers.layer_mm,
-      length,
-      "MM",
-      "Depth of a layer, mm; with it the program is written that cuts the part from a stock");
+  add_number(command,
+             "--layer",
+             job.layers.layer_mm,
+             length,
+             "MM",
+             "Depth of a layer, mm; with this option the program that cuts the part from a stock "
+             "is written");
   add_number(command,
              "--depth",
              job.layers.depth_mm,

@@ -186,8 +186,8 @@ std::vector<drawing::Fault> held_together(const drawing::Drawing& drawn,
     if (beside[i].gouges.empty()) continue;
     drawing::Fault held = beside[i].gouges.front();
     held.reason = fmt::format(
-        "comes nearer to an edge than the kerf, {} contour{} in all; the parts hold together "
-        "there, and no cut takes anything off them",
+        "comes nearer to an edge than the kerf, {} contour{} in all; no cut is made between the "
+        "parts, which hold together there",
         crowd.size(),
         crowd.size() == 1 ? "" : "s");
     held.entity = drawn.contours[i].entity;

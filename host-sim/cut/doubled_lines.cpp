@@ -93,8 +93,8 @@ class DoubledLines {
     left_.warning = {drawing::FaultKind::kDuplicate,
                      drawn_.contours[first_].entity,
                      place_,
-                     fmt::format("{} line{} along others within {} mm, this one first; what "
-                                 "they share is driven once, which leaves out {:.3f} mm",
+                     fmt::format("{} line{} along others within {} mm, this one first; the common "
+                                 "path is driven once, which leaves out {:.3f} mm",
                                  count,
                                  count == 1 ? " runs" : "s run",
                                  kTouchesMm,

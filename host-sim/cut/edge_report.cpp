@@ -26,7 +26,7 @@ std::vector<std::string> lines_of(const EdgeFigures& figures) {
   const double corners = figures.greatest_corner_ratio;
   const std::string at_corners =
       corners > 0.0 ? fmt::format(", at corners {:.3f} at most", corners) : std::string{};
-  return {fmt::format("off the part at most {}, left on it at most {}, mean {:.1f} um",
+  return {fmt::format("cut off the part at most {}, left on it at most {}, mean error {:.1f} um",
                       text_of(figures.max_off),
                       text_of(figures.max_left),
                       kMicrometres * figures.mean_mm),
@@ -35,8 +35,8 @@ std::vector<std::string> lines_of(const EdgeFigures& figures) {
               "corners, slots and tabs are not reached",
               text_of(figures.max_off_model),
               figures.untouched_mm),
-          fmt::format("the same where test cuts cover power and speed, at most {}; {:.2f} mm "
-                      "of edges are cut otherwise, by the same law",
+          fmt::format("this distance where test cuts cover power and speed at most {}; {:.2f} mm "
+                      "of edges are cut at other powers and speeds, by the same law",
                       text_of(figures.max_off_known),
                       figures.unknown_mm),
           fmt::format("power over speed {:.3f} to {:.3f} of the planned value{}",

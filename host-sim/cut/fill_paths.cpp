@@ -32,7 +32,9 @@ class AreaFiller {
            "give its layer a greater interval");
     } else if (path->empty()) {
       fail(FaultKind::kTooSmall,
-           fmt::format("lies between two lines of a fill, {:g} mm apart", fill_.interval_mm),
+           fmt::format(
+               "is so narrow that no line of its fill crosses it; these lines are {:g} mm apart",
+               fill_.interval_mm),
            "give its layer a smaller interval, or skip it");
     } else {
       filled_.paths.push_back(*std::move(path));
@@ -49,7 +51,7 @@ class AreaFiller {
     } catch (const std::runtime_error& failure) {
       fail(FaultKind::kCrossing,
            fmt::format("is not filled along its outline: {}", failure.what()),
-           "take its contours apart there, or fill it with pattern=lines");
+           "separate its contours there, or fill it with pattern=lines");
     }
     return std::move(filled_);
   }

@@ -150,7 +150,7 @@ std::optional<drawing::Fault> touch_of(const drawing::Drawing& drawn,
       FaultKind::kCrossing,
       drawn.contours[contour].entity,
       where,
-      fmt::format("lies against {} along {:.3f} mm, without space for a cut between them",
+      fmt::format("touches {} along {:.3f} mm, without space for a cut between them",
                   drawn.contours[*neighbour].entity.name,
                   longest_mm),
       fmt::format("move them the kerf apart, {:.3f} mm, or cut along the edge with --common-line, "

@@ -43,7 +43,8 @@ Fault fault_of_layers(const Drawing& drawn, std::size_t inner, const LateContour
   return {FaultKind::kIgnored,
           contour.entity,
           drawing::start_of(contour.shapes.front()),
-          fmt::format("is cut after the layer {}, of a later rank, which has contours inside it{}",
+          fmt::format("is cut after the layer {}, of a later rank, because it encloses contours of "
+                      "that layer{}",
                       name_of_layer(drawn, inner),
                       others(late)),
           "give the outer layer no lower rank than the layer inside it"};

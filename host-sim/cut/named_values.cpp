@@ -71,7 +71,7 @@ double number_from(
   double value = 0.0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
   if (error != std::errc{} || end != text.data() + text.size() || !std::isfinite(value)) {
-    throw std::invalid_argument(fmt::format("{}={}: not a number; it takes {}", key, text, range));
+    throw std::invalid_argument(fmt::format("{}={}: not a number; write {}", key, text, range));
   }
   if (value < least || value > most) {
     throw std::invalid_argument(fmt::format("{}={}: out of range, {}", key, text, range));

@@ -71,7 +71,7 @@ std::vector<drawing::Fault> shared_by(const DrawnEdges& edges,
     if (!where) continue;
     const std::string along = shared_mm > 0.0
                                   ? fmt::format(
-                                        "lies against other parts along {:.3f} mm: the cut "
+                                        "touches other parts along {:.3f} mm: the cut "
                                         "along the edge takes {:.3f} mm off it there",
                                         shared_mm,
                                         half_kerf_mm)

@@ -272,8 +272,8 @@ void Planner::leave_to_controller(Cut& cut, std::size_t number) {
   work_.plan.warnings.push_back({FaultKind::kTooSmall,
                                  work_.drawn.contours[cut.contour].entity,
                                  cut.start(),
-                                 "is not left to the controller: " + way.reason,
-                                 "its path has the planned kerf, which overrides do not change"});
+                                 "is not offset by the controller: " + way.reason,
+                                 "its path is offset by the planned kerf, whatever the overrides"});
 }
 
 }  // namespace

@@ -71,7 +71,7 @@ std::vector<std::string> lines_of(const SafetyFigures& figures) {
                                 figures.cooling_swaps));
   }
   if (figures.chains) {
-    lines.push_back(fmt::format("{} pierces saved by links of {:.1f} mm in all, {:.1f} s",
+    lines.push_back(fmt::format("{} pierces saved by links, {:.1f} mm long in all; {:.1f} s saved",
                                 figures.links,
                                 figures.links_mm,
                                 figures.links_s));

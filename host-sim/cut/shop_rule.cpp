@@ -186,7 +186,7 @@ class RuleParser {
       static_cast<void>(take_word("mark"));
       skip_blanks();
       if (at_ == text_.size()) return;
-      if (!take(',')) refuse("requires `,` and a setting after `mark`, or nothing");
+      if (!take(',')) refuse("requires `,` and a setting after `mark`, or nothing after it");
     }
     do {
       read_change();

@@ -149,7 +149,7 @@ DxfLetters paragraphs(const DxfEntity& entity, const DxfStyle& style, text::Lett
   like.slant_rad = style.oblique_deg * kDegreeOfLetters;
   const MtextWords words = mtext_words(entity, like);
   if (!words.unfollowed.empty()) {
-    letters.notes.push_back("has codes that are not followed: " + words.unfollowed);
+    letters.notes.push_back("has format codes that are ignored: " + words.unfollowed);
   }
   if (!(like.size > 0.0)) return {.wrong = kNoHeight};
   const auto lines = wrapped_at(words.paragraphs, entity.number(41, 0.0), like, lettering);

@@ -282,7 +282,7 @@ class DxfReader {
         {FaultKind::kTooMuch,
          drawer_.described(entity, whole_drawing()),
          {},
-         fmt::format("more than {} entities are drawn; the rest is left out", max_instances_),
+         fmt::format("the drawing has more than {} entities; the rest is left out", max_instances_),
          "divide the drawing into several files"});
   }
 

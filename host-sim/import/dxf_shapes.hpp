@@ -12,8 +12,8 @@
 namespace sim::drawing {
 
 inline constexpr const char* kDxfUpright =
-    "its plane is upright, so that it is only a line from above";
-inline constexpr const char* kDxfSeenFromAbove = "is tilted: it is drawn as it appears from above";
+    "its plane is upright, so that it is only a line as seen from above";
+inline constexpr const char* kDxfSeenFromAbove = "is tilted: it is drawn as seen from above";
 
 /// Greatest difference of heights that count as equal, in units of the drawing.
 inline constexpr double kFlatEnoughUnits = 1.0e-6;

@@ -143,8 +143,8 @@ class Joiner {
     sketch_.report({FaultKind::kMended,
                     widest_entity_,
                     widest_.place,
-                    fmt::format("{} contour{} nearly closed, with no other end near; closed by a "
-                                "line, the longest, here, of {:.3f} mm",
+                    fmt::format("{} contour{} nearly closed, without a third end near, and closed "
+                                "by a line; the longest line, here, has {:.3f} mm",
                                 closed_,
                                 closed_ == 1 ? " is" : "s are",
                                 widest_.size),
@@ -206,8 +206,8 @@ class Joiner {
     sketch_.report({FaultKind::kMended,
                     {},
                     gaps.widest.place,
-                    fmt::format("{} gap{} between two ends with no other one near {} joined by "
-                                "lines, the longest, here, of {:.3f} mm",
+                    fmt::format("{} gap{} between two ends without a third end near {} joined by "
+                                "lines; the longest line, here, has {:.3f} mm",
                                 gaps.count,
                                 gaps.count == 1 ? "" : "s",
                                 gaps.count == 1 ? "is" : "are",

@@ -275,7 +275,8 @@ class LbrnReader {
                             scaled_by(*width / static_cast<double>(image->width),
                                       -*height / static_cast<double>(image->height));
     const bool is_near = to_mm.finite() && to_mm.origin.cwiseAbs().maxCoeff() <= kFarthestMm;
-    if (!is_near || to_mm.determinant() == 0.0) return bad(shape, "its XForm leaves nothing of it");
+    if (!is_near || to_mm.determinant() == 0.0)
+      return bad(shape, "its XForm reduces it to nothing");
     sketch_.add(DrawnPicture{std::move(image), to_mm, std::move(entity), {}});
   }
 

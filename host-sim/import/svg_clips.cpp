@@ -127,7 +127,7 @@ void SvgClips::add_path(pugi::xml_node child,
   const std::string_view name = local_name(child);
   if (name == "title" || name == "desc" || name == "metadata") return;
   document_.report_bad(child,
-                       fmt::format("<{:.40}> in a clip path is not followed", name),
+                       fmt::format("<{:.40}> in a clip path is ignored", name),
                        "make it a path; content that it clips may be left out");
 }
 

@@ -148,7 +148,7 @@ bool SvgDocument::count(const pugi::xml_node& node) {
         {FaultKind::kTooMuch,
          entity_of(node),
          {},
-         fmt::format("more than {} elements are drawn; the rest is left out", max_elements_),
+         fmt::format("the drawing has more than {} elements; the rest is left out", max_elements_),
          "divide the drawing into several files"});
   }
   return false;

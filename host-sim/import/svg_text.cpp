@@ -142,7 +142,7 @@ void SvgText::note_unfollowed(const pugi::xml_node& node, const SvgProperties& p
     sketch_.note({FaultKind::kText,
                   document_.entity_of(node),
                   {},
-                  fmt::format("{} of letters is not followed", name),
+                  fmt::format("{} of letters is ignored", name),
                   "check them in the picture of --svg, or convert them to paths"});
   }
 }

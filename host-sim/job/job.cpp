@@ -243,8 +243,8 @@ class CellWatch {
     if (!knots_) return;
     knots_->close();
     if (!knots_->is_empty()) return;
-    report.warnings.push_back(
-        fmt::format("{}: no knots, because neither G43.4 nor input shaping divides time", name_));
+    report.warnings.push_back(fmt::format(
+        "{}: contains no positions, because neither G43.4 nor input shaping was active", name_));
   }
 
  private:

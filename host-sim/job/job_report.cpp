@@ -69,7 +69,7 @@ void warn_of_step_rates(const Job& job, const cnc::Settings& settings, Report& r
     const double wanted = scale * limits.rate_mm_s[axis];
     if (wanted <= kNoLess * most) continue;
     report.warnings.push_back(
-        fmt::format("{}: ${}={:g} is {:.0f} steps/s; pulses of $0={:g} us leave {:.0f}, so {} is "
+        fmt::format("{}: ${}={:g} is {:.0f} steps/s; pulses of $0={:g} us allow {:.0f}, so {} is "
                     "driven at {:.0f} {}/min at most",
                     job.file,
                     cnc::setting::kRate + axis,

@@ -10,7 +10,7 @@ KnotFile::KnotFile(const std::string& file,
                    cnc::motion::ShapingObserver& next)
     : steps_per_mm_{steps_per_mm}, next_{next}, file_{file} {
   fmt::format_to(std::back_inserter(file_.buffer()),
-                 "# time_s x y z a b c: places of the axes, mm and degrees\n");
+                 "# time_s x y z a b c: positions of the axes, mm and degrees\n");
 }
 
 void KnotFile::on_cell(const cnc::motion::ShapedCell& cell) {

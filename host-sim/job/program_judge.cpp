@@ -99,7 +99,7 @@ Judgement ProgramJudge::end(const std::string& file, std::string_view program) {
     judgement_.faults.push_back(std::move(overrun));
   }
   if (const auto& beside = path_.refused(); beside && beside->line > 0) {
-    std::string words = "the path beside this motion (G41, G42) cannot be driven";
+    std::string words = "the compensated path of this motion (G41, G42) cannot be driven";
     if (beside->other_line > 0) words += fmt::format(", because of line {}", beside->other_line);
     judgement_.faults.push_back({.file = {},
                                  .line = static_cast<std::size_t>(beside->line),

@@ -160,12 +160,12 @@ class Preparation {
     const std::size_t star = mark ? mark->covered.size() : text.size();
     if (mark && mark->form() == cnc::LineMark::Form::kNone) {
       if (faults_.size() < kMaxWrongChecks) {
-        faults_.push_back({line_, star + 1, "the check does not fit its line"});
+        faults_.push_back({line_, star + 1, "the check does not match its line"});
       }
       return;
     }
     if (mark) {
-      found_[kChecks].add(line_, star + 1, "correct checks of lines are left out");
+      found_[kChecks].add(line_, star + 1, "the checks of lines are correct, and are left out");
       blank(line, star, 1 + mark->digits.size());
       blank_number_of_statement(line);
     }

@@ -77,7 +77,7 @@ cnc::Result<KerfPrediction, kerf::Refusal> predict(const MaterialRecord& record,
 
 std::string describe(const kerf::Refusal& refusal, const kerf::Condition& condition) {
   const auto say = [&refusal](const char* what, std::uint32_t value, const char* unit) {
-    return fmt::format("{} {:g} {} is outside of what was cut; permissible are {:g} to {:g} {}",
+    return fmt::format("{} {:g} {} is outside of the test cuts; permissible are {:g} to {:g} {}",
                        what,
                        from_thousandths(value),
                        unit,

@@ -107,7 +107,7 @@ class FormReader {
     constexpr std::size_t kMaxRows = 10'000;
     const bool is_list =
         object.contains(key) && object[key].is_array() && object[key].size() <= kMaxRows;
-    if (!is_list) refuse(pointer, "must be the list of the form that was written");
+    if (!is_list) refuse(pointer, "must be the list as `kerf test-grid` wrote it");
     return object[key];
   }
 

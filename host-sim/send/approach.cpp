@@ -65,7 +65,8 @@ std::string motion_of(const cnc::gcode::ModalState& state, const JobLine& line) 
     case MotionMode::kCubicSpline:
     case MotionMode::kQuadraticSpline:
     case MotionMode::kNurbs:
-      throw std::invalid_argument("the line goes on with a spline: begin where that begins");
+      throw std::invalid_argument(
+          "the line continues a spline: begin at the line with which the spline begins");
     default:
       return "";
   }
@@ -88,10 +89,12 @@ Approach approach_to(const JobLines& job, std::size_t index, bool laser) {
   const auto& interpreter = one.interpreter();
   const cnc::gcode::ModalState& state = interpreter.state();
   if (interpreter.shift().g92_in_use) {
-    throw std::invalid_argument("G92 is in use there, and was lost: begin where it is set");
+    throw std::invalid_argument(
+        "G92 is in use at that line, but its offset was lost: begin at the line that sets it");
   }
   if (state.tool_centre) {
-    throw std::invalid_argument("G43.4 is in use there, and was lost: begin where it is set");
+    throw std::invalid_argument(
+        "G43.4 is in use at that line, but was lost: begin at the line that sets it");
   }
   std::string over;
   std::string down;
@@ -99,7 +102,8 @@ Approach approach_to(const JobLines& job, std::size_t index, bool laser) {
     if (one.place(axis) == here && other.place(axis) == there) continue;
     if (one.place(axis) != other.place(axis)) {
       throw std::invalid_argument(
-          fmt::format("the position of {} at that line depends on that of the start (G91)",
+          fmt::format("the position of {} at that line depends on the position of the start (G91): "
+                      "begin at the start",
                       cnc::kAxisLetters[axis]));
     }
     const Coordinate offset = interpreter.work_offset(static_cast<cnc::Axis>(axis));

@@ -73,11 +73,11 @@ class SlcanHostWire final : public CanWire {
 std::string emergency_text(const CanHost::Emergency& emergency) {
   switch (emergency.code) {
     case can::kNoError:
-      return "all is well again";
+      return "the error has ended";
     case can::kFramesLost:
       return "frames were lost on the bus";
     case can::kHostSilent:
-      return "it missed our heartbeat";
+      return "it missed the sender's heartbeat";
     case can::kDeviceSpecific:
       return fmt::format("alarm {}", emergency.alarm);
     default:
@@ -160,9 +160,9 @@ void CanNodePort::look_for_trouble() {
   } else if (silent_ > kNodeSilence) {
     trouble_ = fmt::format("node {} is silent on {}", node_, wire_->address());
   } else if (host_.sent().given_up > 0) {
-    trouble_ = fmt::format("node {} takes nothing", node_);
+    trouble_ = fmt::format("node {} accepts no data", node_);
   } else if (host_.received().lost > 0 || wire_->port().health().lost_frames > 0) {
-    trouble_ = "frames were lost on their way to us";
+    trouble_ = "frames from the controller were lost";
   }
 }
 

@@ -11,7 +11,7 @@ namespace sim {
 namespace {
 
 constexpr std::array<CodeRemedy, 17> kAlarmRemedies{{
-    {1, "Reset, unlock, and move the axis off the switch before."},
+    {1, "First reset, unlock, and move the axis off the switch."},
     {2, "Reset and unlock; move the job or its origin so that it fits."},
     {3, "Without switches unlock, and set the origin again."},
     {4, "Unlock; free the probe, or move away from the plate, and probe again."},
@@ -22,7 +22,7 @@ constexpr std::array<CodeRemedy, 17> kAlarmRemedies{{
     {9, "Check the limit switch, or raise the travel $130…$135; home again."},
     {10, "Check the second switch of the axis; home again."},
     {11, "Send $H, or press Home."},
-    {23, "Home; send fewer tiny lines, or slower ones."},
+    {23, "Home; send longer motions, or a lower feed."},
     {24, "Release the emergency stop, reset, and home."},
     {25, "Check the cable and the sender; unlock, and resume the job."},
     {26, "Reset and unlock; correct the line that is named, or take a narrower tool."},
@@ -35,7 +35,7 @@ constexpr std::array<CodeRemedy, 35> kErrorRemedies{{
     {2, "Give the letter a number, such as X1.5."},
     {3, "$ lists the statements; check the spelling."},
     {4, "Give a value of 0 or more."},
-    {5, "Set $22 so that the axes home; an axis alone wants its bit 1."},
+    {5, "Set $22 so that the axes home; homing of one axis requires its bit 1."},
     {6, "Give a longer step pulse in $0."},
     {7, "Unlock or reset and try again; if it fails again, the flash is worn out."},
     {8, "Wait until the machine is idle, or stop it."},

@@ -82,7 +82,7 @@ using Addresses = std::unique_ptr<addrinfo, decltype(&::freeaddrinfo)>;
 Addresses resolved(const std::string& address) {
   const std::size_t colon = address.rfind(':');
   if (colon == std::string::npos || colon == 0 || colon + 1 == address.size()) {
-    throw std::invalid_argument(fmt::format("--tcp {}: HOST:PORT is asked for", address));
+    throw std::invalid_argument(fmt::format("--tcp {}: must be HOST:PORT", address));
   }
   addrinfo hints{};
   hints.ai_socktype = SOCK_STREAM;

@@ -181,8 +181,9 @@ void Sender::take_checked(const Answer& answer) {
   const std::size_t taken = numbering_.begun + (count + 1 - numbering_.first);
   if (!lines_.were_sent_until(taken)) return;  // The answer is to a line that was never sent.
   if (taken < answered() && resend) {
-    return stop(fmt::format("the controller wants line {} again, which it has acknowledged",
-                            number_in_file(taken)));
+    return stop(
+        fmt::format("the controller requests line {} again, although it has acknowledged this line",
+                    number_in_file(taken)));
   }
   if (answer.kind == AnswerKind::kError) refused(taken - 1, answer);
   if (taken > answered()) answered_until(taken);

@@ -114,7 +114,7 @@ void Sender::repeat_question() {
   // Some answers never come, because the controller did not receive the questions while it started.
   if (asks && told_options_ && since(moved_) > kStallOfOne) return take_options();
   if (since(asked_) < (asks ? kAskPeriod : kBeginPeriod)) return;
-  if (questions_ >= kMaxQuestions) return fail("the controller does not answer as one should");
+  if (questions_ >= kMaxQuestions) return fail("the answers of the controller are not complete");
   if (asks) return ask();
   if (state_ == State::kBeginning) return begin();
   send_end();

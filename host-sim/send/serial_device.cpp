@@ -45,7 +45,8 @@ std::optional<speed_t> speed_of(unsigned baud) {
 
 Descriptor open_serial_device(const std::string& device, unsigned baud) {
   const auto speed = speed_of(baud);
-  if (!speed) throw std::invalid_argument(fmt::format("--baud {}: no serial port has it", baud));
+  if (!speed)
+    throw std::invalid_argument(fmt::format("--baud {}: no serial port has this rate", baud));
   Descriptor port{hal::host::open_file(device, O_RDWR | O_NOCTTY | O_NONBLOCK | O_CLOEXEC)};
   checked(port.number(), device);
   if (::flock(port.number(), LOCK_EX | LOCK_NB) < 0) {

@@ -29,13 +29,13 @@ std::size_t interrupted_at(const JobLines& job, const Standing& standing) {
     throw std::invalid_argument("the controller knows of no job that was interrupted");
   }
   if (standing.line > job.size()) {
-    throw std::invalid_argument(
-        fmt::format("the job has {} lines, but line {} of them was interrupted: it is another job",
-                    job.size(),
-                    standing.line));
+    throw std::invalid_argument(fmt::format(
+        "the job has {} lines, but line {} was interrupted: this is not the interrupted job",
+        job.size(),
+        standing.line));
   }
   if (!standing.known) {
-    throw std::invalid_argument("the machine may have lost its place: home it before");
+    throw std::invalid_argument("the machine may have lost its position: home it first");
   }
   return standing.line - 1;
 }

@@ -142,9 +142,10 @@ std::string include(const Ring& ring, Extent& extent) {
   for (const auto& point : ring) {
     for (std::size_t axis = 0; axis < 2; ++axis) {
       if (!(std::abs(point[axis]) <= kFarthestStockMm)) {
-        return fmt::format("the pocket reaches to {} mm; it takes up to {} mm from the origin",
-                           point[axis],
-                           kFarthestStockMm);
+        return fmt::format(
+            "the pocket reaches to {} mm; at most {} mm from the origin are possible",
+            point[axis],
+            kFarthestStockMm);
       }
       extent.low[axis] = std::min(extent.low[axis], point[axis]);
       extent.high[axis] = std::max(extent.high[axis], point[axis]);
@@ -157,7 +158,7 @@ std::string include(const Ring& ring, Extent& extent) {
 
 std::string fault_of(const PocketTarget& target, double cell_mm) {
   if (!(target.depth_mm > 0.0 && target.depth_mm <= kDeepestStockMm)) {
-    return fmt::format("the pocket is {} mm deep; it takes more than 0 and up to {} mm",
+    return fmt::format("the pocket is {} mm deep; the depth must be above 0 and at most {} mm",
                        target.depth_mm,
                        kDeepestStockMm);
   }
@@ -171,7 +172,7 @@ std::string fault_of(const PocketTarget& target, double cell_mm) {
       (high[0] - low[0] + 4.0 * cell_mm) * (high[1] - low[1] + 4.0 * cell_mm) / (cell_mm * cell_mm);
   if (cells <= kMaxTargetCells) return {};
   return fmt::format(
-      "the pocket has {:.3g} cells of {} mm; it takes up to {:.3g}, so choose larger cells",
+      "the pocket has {:.3g} cells of {} mm; at most {:.3g} are possible, so choose larger cells",
       cells,
       cell_mm,
       kMaxTargetCells);

@@ -17,7 +17,7 @@ bool is_within(double value, double least, double most) { return value >= least 
 std::string fault_of(const Cutter& cutter) {
   const double diameter = cutter.diameter_mm;
   if (!is_within(diameter, kMinCutterMm, kGreatestCutterMm)) {
-    return fmt::format("the tool's diameter is {} mm; it takes {} to {} mm",
+    return fmt::format("the tool's diameter is {} mm; it must be {} to {} mm",
                        diameter,
                        kMinCutterMm,
                        kGreatestCutterMm);
@@ -25,14 +25,14 @@ std::string fault_of(const Cutter& cutter) {
   const double corner = cutter.corner_radius_mm;
   if (cutter.kind == CutterKind::kBull && !(corner > 0.0 && corner <= 0.5 * diameter)) {
     return fmt::format(
-        "the corner radius is {} mm; it takes more than 0 and up to {} mm, half the diameter",
+        "the corner radius is {} mm; it must be above 0 and at most {} mm, half the diameter",
         corner,
         0.5 * diameter);
   }
   if (cutter.kind != CutterKind::kV) return {};
   const double angle = cutter.included_angle_deg;
   if (!is_within(angle, kMinIncludedAngleDeg, kGreatestIncludedAngleDeg)) {
-    return fmt::format("the included angle is {} degrees; it takes {} to {} degrees",
+    return fmt::format("the included angle is {} degrees; it must be {} to {} degrees",
                        angle,
                        kMinIncludedAngleDeg,
                        kGreatestIncludedAngleDeg);
@@ -40,7 +40,8 @@ std::string fault_of(const Cutter& cutter) {
   const double tip = cutter.tip_diameter_mm;
   if (!(tip >= 0.0 && tip < diameter)) {
     return fmt::format(
-        "the tip's diameter is {} mm; it takes 0 to less than {} mm, the tool's diameter",
+        "the tip's diameter is {} mm; it must be at least 0 and less than {} mm, the tool's "
+        "diameter",
         tip,
         diameter);
   }

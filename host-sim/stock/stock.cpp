@@ -40,18 +40,21 @@ std::string fault_of(const StockBox& box, double cell_mm) {
     if (!fault.empty()) return fault;
   }
   if (box.top - box.bottom > kDeepestStockMm) {
-    return fmt::format(
-        "the stock is {} mm high; it takes up to {} mm", box.top - box.bottom, kDeepestStockMm);
+    return fmt::format("the stock is {} mm high; at most {} mm are possible",
+                       box.top - box.bottom,
+                       kDeepestStockMm);
   }
   if (!(cell_mm >= kMinCellMm && cell_mm <= kGreatestCellMm)) {
-    return fmt::format(
-        "the stock's cells are {} mm; they take {} to {} mm", cell_mm, kMinCellMm, kGreatestCellMm);
+    return fmt::format("the stock's cells are {} mm; they must be {} to {} mm",
+                       cell_mm,
+                       kMinCellMm,
+                       kGreatestCellMm);
   }
   const double cells =
       cells_along(box.x_max - box.x_min, cell_mm) * cells_along(box.y_max - box.y_min, cell_mm);
   if (cells <= kMaxCells) return {};
   return fmt::format(
-      "the stock has {:.3g} cells of {} mm; it takes up to {:.3g}, so choose larger cells",
+      "the stock has {:.3g} cells of {} mm; at most {:.3g} are possible, so choose larger cells",
       cells,
       cell_mm,
       kMaxCells);

@@ -256,8 +256,7 @@ std::string fault_of_comparison(const StockBox& box, double cell_mm) {
   const double cells = (box.x_max - box.x_min) * (box.y_max - box.y_min) / (cell_mm * cell_mm);
   if (cells <= kMaxComparedCells) return {};
   return fmt::format(
-      "the stock has {:.3g} cells of {} mm; a comparison takes up to {:.3g}, so choose larger "
-      "cells",
+      "the stock has {:.3g} cells of {} mm; at most {:.3g} can be compared, so choose larger cells",
       cells,
       cell_mm,
       kMaxComparedCells);

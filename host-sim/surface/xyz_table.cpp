@@ -39,7 +39,7 @@ class XyzTableReader {
       drop_point_numbers();
     } else if (width_ > 3 && !header_ && !labelled_) {
       table_.notes.push_back(
-          fmt::format("{}: {} columns; the first three are X, Y and Z", name_, width_));
+          fmt::format("{}: {} columns; the first three are read as X, Y and Z", name_, width_));
     }
     return std::move(table_);
   }
@@ -142,7 +142,8 @@ class XyzTableReader {
     for (std::size_t i = 0; i < table_.points.size(); ++i) {
       table_.points[i] = {table_.points[i].y(), table_.points[i].z(), fourth_[i]};
     }
-    table_.notes.push_back(fmt::format("{}: the first column counts the points", name_));
+    table_.notes.push_back(
+        fmt::format("{}: the first column counts the points and is left out", name_));
   }
 
   const std::string& name_;

@@ -19,9 +19,9 @@ std::string_view describe(TableError error) {
     case TableError::kBadKerf:
       return "the kerf must be above 0 and at most 10 mm in all of the region";
     case TableError::kBadShape:
-      return "rows, bands and points do not belong together";
+      return "counts of rows, bands and points do not agree";
     case TableError::kBadSize:
-      return "the image does not have the size that it says";
+      return "the image is not as long as its header says";
     case TableError::kNotATable:
       return "this is no kerf table";
     case TableError::kOtherVersion:

@@ -47,7 +47,8 @@ TEST(DamagedStoreTest, IsAnAlarmThatWantsAReset) {
   const std::string said = talk("$X\nG0 X1\n");
   EXPECT_NE(said.find("ALARM:28\r\n[MSG:Reset to continue]"), std::string::npos) << said;
   EXPECT_NE(
-      said.find("[MSG:The store is damaged. Check settings and offsets, and store one again.]"),
+      said.find(
+          "[MSG:The store is damaged. Check settings and offsets, and store one of them again.]"),
       std::string::npos)
       << said;
   EXPECT_EQ(said.find("ok"), std::string::npos) << said;

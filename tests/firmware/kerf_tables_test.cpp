@@ -163,7 +163,7 @@ TEST_F(KerfStatements, RefusesWhatIsNoTable) {
   EXPECT_THAT(said_to(lines[2]), HasSubstr("parts come in order"));
   EXPECT_EQ(send("$KS"), "error:2");
   EXPECT_EQ(send(lines[0]), "ok");
-  EXPECT_THAT(said_to("$KS"), HasSubstr("does not have the size that it says"));
+  EXPECT_THAT(said_to("$KS"), HasSubstr("is not as long as its header says"));
   lines[1].back() = lines[1].back() == '0' ? '1' : '0';
   for (std::size_t i = 0; i + 1 < lines.size(); ++i) EXPECT_EQ(send(lines[i]), "ok");
   EXPECT_THAT(said_to("$KS"), HasSubstr("CRC-32 is wrong"));

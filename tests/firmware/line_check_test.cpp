@@ -64,7 +64,7 @@ TEST_F(CheckedLines, WithoutM110NumbersAreTheProgramsOwn) {
 }
 
 TEST_F(CheckedLines, WithoutM110AWrongCheckIsAFaultOfItsLine) {
-  const std::vector<std::string> wrong{"[MSG:7: the check does not fit its line]", "error:1"};
+  const std::vector<std::string> wrong{"[MSG:7: the check does not match its line]", "error:1"};
   for (const char* line :
        {"N1 G21*20", "N2 G21*20", "N2 G21*999", "N9 G21*12345678", "N9 G21*0 ; 27"}) {
     EXPECT_EQ(say(std::string(line) + "\n"), wrong) << line;
@@ -126,7 +126,7 @@ TEST_F(CheckedLines, TheCheckCoversAllThatIsDroppedOfALongLine) {
   say("\x18");
   run(100);
   EXPECT_EQ(say("N3 X1 " + comment + "*1\n"),
-            (std::vector<std::string>{"[MSG:0: the check does not fit its line]", "error:1"}));
+            (std::vector<std::string>{"[MSG:0: the check does not match its line]", "error:1"}));
 }
 
 TEST_F(CheckedLines, UnderTheCrcALongLineIsTaken) {

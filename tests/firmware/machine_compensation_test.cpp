@@ -91,7 +91,7 @@ TEST_F(MachineCompensationTest, CheckModeFindsNothingWrongWithASoundPath) {
 TEST_F(MachineCompensationTest, TheExitIsAStraightLine) {
   send_all({"G42.1 D1 G1 X10 Y0", "X20", "G40"});
   EXPECT_EQ(send("G2 X30 Y0 I5"), "error:33");
-  EXPECT_TRUE(said("is the exit, and no straight line"));
+  EXPECT_TRUE(said("is the exit, and must be a straight line"));
 }
 
 TEST_F(MachineCompensationTest, AResetForgetsAllThatIsHeld) {

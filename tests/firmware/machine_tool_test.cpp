@@ -80,7 +80,7 @@ TEST_F(MachineToolTest, LeavesTheLaserDarkAtRest) {
   EXPECT_EQ(port.power, 0);
 }
 
-const std::string kNoLight = "[MSG:Dark at rest: $870, $871]";
+const std::string kNoLight = "[MSG:Beam off at rest: $870 and $871 allow light]";
 
 TEST_F(MachineToolTest, SaysOnceInAProgramThatADwellStaysDark) {
   use_laser();

@@ -14,8 +14,8 @@ using Lines = std::vector<std::string>;
 class StartupLinesTest : public ControllerTest {
  protected:
   static constexpr std::string_view kWayOut =
-      "[MSG:A startup line raised it: reset and $X, then $N0= or $N1= clears it]";
-  static constexpr std::string_view kTakenBack = "[MSG:$N1 failed, and is as before again]";
+      "[MSG:A startup line raised the alarm: reset, $X, then clear the line by $N0= or $N1=]";
+  static constexpr std::string_view kTakenBack = "[MSG:$N1 failed; its previous text is restored]";
 
   void restart() {
     link.outgoing.clear();

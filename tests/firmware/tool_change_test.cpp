@@ -160,7 +160,8 @@ TEST_F(ToolChangeTest, WhatBelongsToTheProgramIsRefused) {
                            "G10 L20 P1 X0 M3"}) {
     const Lines said = lines_of(line);
     EXPECT_EQ(said.back(), "error:20") << line;
-    EXPECT_NE(said.front().find("waits for the end of the tool change: ~"), std::string::npos);
+    EXPECT_NE(said.front().find("is not permitted before ~ ends the tool change"),
+              std::string::npos);
   }
   for (const char* line : {"$H", "$110=1000", "$SLP", "$C", "$RST=*", "$N0=G20"}) {
     const std::string answer = lines_of(line).back();

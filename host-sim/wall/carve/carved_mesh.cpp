@@ -214,7 +214,7 @@ void write_carved(const std::string& file, const Columns& columns) {
   const double share = static_cast<double>(columns.columns()) * columns.rows() /
                        static_cast<double>(kMaxMeshColumns);
   const CarvedMesh mesh{columns, static_cast<int>(std::ceil(std::sqrt(std::max(1.0, share))))};
-  constexpr const char* kTitle = "kerfline wall carve: what the beam leaves, mm";
+  constexpr const char* kTitle = "kerfline wall carve: stock that the beam leaves, mm";
   if (file.ends_with(".ply")) {
     stock::write_binary_ply(file, kTitle, mesh);
   } else {

@@ -232,7 +232,7 @@ class Cut(CutBench):
         done = self.cut("--kerf-table", "0", "--tabs", "2")
         self.assertEqual(done.returncode, 0, done.stderr)
         self.assertIn('path "plate" at', done.stderr)
-        self.assertIn("is not left to the controller: it has tabs", done.stderr)
+        self.assertIn("is not offset by the controller: it has tabs", done.stderr)
         self.assertEqual(done.stdout.count("\nG42\n"), 2)
         self.assertEqual(self.cut("--kerf-table", "-1").returncode, 2)
         self.assertEqual(self.cut("--kerf-table", "x").returncode, 2)

@@ -113,10 +113,10 @@ class CutDrawings(unittest.TestCase):
         tee = '<path d="M5 20H45V30H5Z"/><path d="M5 20V8H20V20Z"/><path d="M20 20V8H38V20Z"/>'
         refused = self.cut(tee)
         self.assertEqual(refused.returncode, 1)
-        self.assertIn("lies against path along 18.000 mm", refused.stderr)
+        self.assertIn("touches path along 18.000 mm", refused.stderr)
         done = self.sound(tee, "--common-line", "0.2", "--check")
         self.assertEqual(self.cuts(done), 3)
-        self.assertIn("lies against other parts along 33.000 mm", done.stderr)
+        self.assertIn("touches other parts along 33.000 mm", done.stderr)
 
     def test_parts_that_touch_at_a_corner_of_a_shared_edge_are_cut_apart(self):
         # The second part touches the first one along an edge, and reaches around it to another

@@ -113,7 +113,7 @@ class Offered(unittest.TestCase):
         self.assertIn('layer "C01"', done.stderr)
         self.cut(BOX, "--kerf", "0.15", "--layer", "C01: kind=engrave, power=5%, feed=900")
         self.assertEqual(self.layers()["C01"], (5.0, 900.0, 1))
-        self.assertIn("power=20 percent, feed=18000, interval=0.5, angle=90 not, as they are for filling",
+        self.assertIn("power=20 percent, feed=18000, interval=0.5, angle=90 not used, because they are for filling",
                       self.offered()[1])
         self.cut(BOX, "--kerf", "0.15", "--layer", "Edge: kind=score")
         self.assertEqual(self.layers()["Edge"], (65.5, 750.0, 2))
@@ -122,7 +122,8 @@ class Offered(unittest.TestCase):
         self.cut(BOX, "--material", "CSP 1N", "--thickness", "2")
         self.assertEqual(self.layers()["C01"], (20.0, 18000.0, 1))
         self.assertEqual(self.layers()["Edge"][2], 1)
-        self.assertIn("power=65.5 percent, feed=750, passes=2 not, as the material gives them", self.offered()[0])
+        self.assertIn("power=65.5 percent, feed=750, passes=2 not used, because the material gives them",
+                      self.offered()[0])
 
     def test_what_is_no_operation_here_is_said(self):
         both = setting(2, "Scan+Cut", maxPower=30, speed=100)
@@ -146,7 +147,7 @@ class Offered(unittest.TestCase):
 
     def test_watts_and_shares_need_the_full_power(self):
         error = self.cut(BOX, "--kerf", "0.15", "--power", "40W", status=2).stderr
-        self.assertIn("in watts and as a share; give the power of the laser, W, with --full-power", error)
+        self.assertIn("in watts and as a share of full power; give the power of the laser, W, with --full-power", error)
         self.cut(BOX, "--kerf", "0.15", "--power", "40W", "--layer", "C01: kind=skip")
 
     def test_any_settings_are_those_of_the_program(self):

@@ -63,7 +63,7 @@ class Refusals(CutBench):
         self.assertIn("$130 allows 320", refused.stderr)
 
     def test_layers_that_are_not_permissible_are_named(self):
-        for more, what in (("power=100", "power 100 W is outside of what was cut; permissible are 1200 to"),
+        for more, what in (("power=100", "power 100 W is outside of the test cuts; permissible are 1200 to"),
                            ("feed=100", "no power is permissible for 100 mm/min; permissible are 3000 to")):
             told = self.refused(self.plate, *STEEL, "--layer", f"red: side=on, {more}")
             self.assertIn(f'layer "" red: CSP 1N: {what}', told)

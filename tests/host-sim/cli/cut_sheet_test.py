@@ -62,7 +62,7 @@ class Sheets(unittest.TestCase):
         report = self.folder / "report.json"
         done = self.cut(self.sheet(*parts), "--common-line", "0.02", "-o", self.folder / "out.nc", "--report", report)
         self.assertEqual(done.returncode, 0, done.stderr)
-        self.assertEqual(done.stderr.count("lies against other parts along 100.000 mm"), 2)
+        self.assertEqual(done.stderr.count("touches other parts along 100.000 mm"), 2)
         shared = json.loads(report.read_text())["common_lines"]
         self.assertEqual(shared["count"], 1)
         self.assertAlmostEqual(shared["length_mm"], 100, delta=1)

@@ -91,7 +91,7 @@ class DrawingForms(unittest.TestCase):
         done = self.run_on("cut", "loose.dxf", dxf_of(loose_square(30, 0.07)), *STEEL)
         self.assertEqual(done.returncode, 0, done.stderr)
         self.assertIn("note: ", done.stderr)
-        self.assertIn("gaps between two ends with no other one near are joined by lines", done.stderr)
+        self.assertIn("gaps between two ends without a third end near are joined by lines", done.stderr)
 
     def test_units_are_said_and_set(self):
         circle = "0\nCIRCLE\n8\n0\n40\n1\n"

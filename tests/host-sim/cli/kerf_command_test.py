@@ -106,7 +106,7 @@ class KerfCommand(unittest.TestCase):
             done = advise("CSP 1N", *values)
             self.assertEqual(done.returncode, 2)
             self.assertIn(f"--{option}: `{values[('thickness', 'power', 'speed').index(option)]}` is no number; "
-                          "it takes 0 to ", done.stderr)
+                          "write 0 to ", done.stderr)
             self.assertRegex(done.stderr, " (mm|W|mm/min)\n")
 
     def test_an_unknown_material_is_told_what_there_is(self):

@@ -68,7 +68,7 @@ class Import(unittest.TestCase):
                       done.stdout)
         self.assertIn('shop.clb:4:', done.stderr)
         self.assertIn('Felt "Cut": cut, 4 mm: power not known, 480 mm/min', done.stderr)
-        self.assertIn('Felt "Photo": the mode Image is neither Cut nor Scan; it is left out', done.stderr)
+        self.assertIn('Felt "Photo": the mode Image is neither Cut nor Scan; the entry is left out', done.stderr)
         self.assertIn("Birch, Q in W/(mm/min): not measured here", self.kerf("show").stdout)
         shown = self.kerf("show", "--material", "Birch").stdout
         self.assertRegex(shown, r"3 +cut +65 +600 +2 +\? +Cut; not measured here")

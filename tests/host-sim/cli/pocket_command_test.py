@@ -211,20 +211,20 @@ class PocketCommand(PocketTest):
         self.assertIn("supports no islands", done.stderr)
 
     def test_refuses_options_of_another_strategy(self):
-        for more, words in ((("--v-angle", 60, "--stepover", 2), "--v-angle has no --stepover"),
-                            (("--v-angle", 60, "--strategy", "adaptive"), "--v-angle has no --strategy"),
-                            (("--strategy", "adaptive", "--corner", 1), "adaptive has no --corner"),
+        for more, words in ((("--v-angle", 60, "--stepover", 2), "--stepover: cannot be used with --v-angle"),
+                            (("--v-angle", 60, "--strategy", "adaptive"), "--strategy: cannot be used with --v-angle"),
+                            (("--strategy", "adaptive", "--corner", 1), "--corner: cannot be used with"),
                             (("--strategy", "adaptive", "--engagement", 170), "10 to 150 degrees"),
                             (("--v-angle", 180), "1 to 175 degrees"),
                             (("--strategy", "zigzag", "--conventional"), "lines run in both directions"),
                             (("--strategy", "zigzag", "--stepover", 7), "leave stock between"),
-                            (("--strategy", "paper", "--corner", 0), "it is as printed"),
+                            (("--strategy", "paper", "--corner", 0), "that strategy follows the paper exactly"),
                             (("--strategy", "helical"), "helical"),
                             (("--strategy", "spiral", "--stepover", 2.8), "at most 2.7 mm apart"),
                             (("--rest-of", 6), "larger than --tool 6 mm"),
-                            (("--rest-of", 8, "--finish", 0.2), "--rest-of has no --finish"),
+                            (("--rest-of", 8, "--finish", 0.2), "--finish: cannot be used with --rest-of"),
                             (("--rest-of", 8, "--strategy", "zigzag"), "by --strategy contour"),
-                            (("--rest-of", 8, "--v-angle", 60), "--v-angle has no --rest-of"),
+                            (("--rest-of", 8, "--v-angle", 60), "--rest-of: cannot be used with --v-angle"),
                             (("--finish", 3.1), "at most half the tool, 3 mm"),
                             (("--engagement", 60), "add --strategy adaptive")):
             with self.subTest(more=more):

@@ -121,7 +121,7 @@ class PocketShapes(PocketTest):
                             (("--depth-of", "black=-1"), "0 to 1000 mm"),
                             (("--depth-of", "black=1 mm"), "must be a layer or colour"),
                             (("--depth-of", "blak=1"), 'no closed contour of layer or colour "blak"'),
-                            (("--depth-of", "black=1", "--v-angle", 60), "--v-angle has no --depth-of")):
+                            (("--depth-of", "black=1", "--v-angle", 60), "--depth-of: cannot be used with --v-angle")):
             with self.subTest(more=more):
                 done = self.pocket(TRAY, "--tool", 6, "--depth", 2, *MILL, *more)
                 self.assertEqual(done.returncode, 2, done.stdout + done.stderr)
@@ -154,8 +154,8 @@ class PocketShapes(PocketTest):
         shapes = svg('<rect x="40" y="-5" width="20" height="45"/>')
         for more, words in ((("--stock", "0,0,100,-80"), "the greater values last"),
                             (("--stock", OPEN_BOX, "--strategy", "paper"), "--stock"),
-                            (("--stock", OPEN_BOX, "--finish", 0.2), "--stock has no --finish"),
-                            (("--stock", OPEN_BOX, "--rest-of", 9), "--rest-of has no --stock")):
+                            (("--stock", OPEN_BOX, "--finish", 0.2), "--finish: cannot be used with --stock"),
+                            (("--stock", OPEN_BOX, "--rest-of", 9), "--stock: cannot be used with --rest-of")):
             with self.subTest(more=more):
                 done = self.pocket(shapes, "--tool", 6, "--depth", 3, *MILL, *more)
                 self.assertEqual(done.returncode, 2, done.stdout + done.stderr)

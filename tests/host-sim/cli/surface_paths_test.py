@@ -148,14 +148,14 @@ class SurfacePaths(unittest.TestCase):
         block = self.folder / "block.stl"
         block.write_bytes(box_of_stl(20, 6))
         for options, file, told in (
-                (("--paths", "waterline", "--angle", 30), self.part, "--angle: only rows have one"),
-                (("--paths", "contour", "--order", "oneway"), self.part, "--order: only rows have one"),
+                (("--paths", "waterline", "--angle", 30), self.part, "--angle: only rows have an angle"),
+                (("--paths", "contour", "--order", "oneway"), self.part, "--order: only rows have an order"),
                 (("--paths", "waterline", "--layers", 1), self.part, "--layers: only rows have layers"),
                 (("--paths", "spiral"), self.part, "--paths"),
                 (("--paths", "waterline"), block, "no level has a line"),
                 (("--paths", "rough"), self.part, "give --layers"),
-                (("--paths", "rough", "--layers", 1, "--slope", "0:30"), self.part, "--slope: roughing in levels"),
-                (("--paths", "rough", "--layers", 1, "--scallop", 0.1), self.part, "--scallop: roughing in levels"),
+                (("--paths", "rough", "--layers", 1, "--slope", "0:30"), self.part, "--slope: is not possible with"),
+                (("--paths", "rough", "--layers", 1, "--scallop", 0.1), self.part, "--scallop: is not possible with"),
                 (("--paths", "rough", "--layers", 1, "--step", 2.9), self.part, "--step: 2.9 mm is more than"),
                 (("--paths", "rough", "--layers", 1, "--stock-top", -90), self.part, "below the top of the stock"),
                 (("--paths", "rough", "--layers", 1, "--margin", 1, "--stock-margin", 1), self.part, "--margin: with"),

@@ -100,7 +100,7 @@ class SurfaceSmooth(unittest.TestCase):
                 (("--pencil",), None, "--pencil: a smooth surface has no valleys; leave it out, or --smooth"),
                 (("--at", places), None, "--at: it writes the tip's exact heights; leave it out"),
                 (("--like-paper",), None, "--like-paper: it makes no path; leave it out"),
-                (("--approach", "1,0,0"), None, "--approach: patches fit a grid that is seen from above")):
+                (("--approach", "1,0,0"), None, "--approach: patches fit a grid only as seen from above")):
             done = self.surface("--smooth", *options, file=file)
             self.assertEqual(done.returncode, 2, (options, done.stderr))
             self.assertIn(told, done.stderr)

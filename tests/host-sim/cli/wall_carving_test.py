@@ -116,7 +116,7 @@ class WallCarving(unittest.TestCase):
         cuts = self.file("cuts.txt", "# drawn carved gain\n0 10\n2 12 0\n0 4.4 1\n2 6.4 1\n30 30 1\n")
         done = run("wall", "taper", cuts, "--half-angle", 7)
         self.assertEqual(done.returncode, 0, done.stderr)
-        self.assertIn("by 10.000 degrees; additional lean of the beam removes 0.800", done.stdout)
+        self.assertIn("by 10.000 degrees; an additional lean of the beam reduces this by 0.800", done.stdout)
         self.assertIn(f"--taper-gain {10 / 5.6:.4f}", done.stdout)
         self.assertIn("4 cuts, off by 0.000 degrees (root mean square); 1 that", done.stderr)
 

@@ -82,9 +82,9 @@ class WallJoints(unittest.TestCase):
     def test_knots_of_a_plain_program_are_none_and_said_so(self):
         self.path("plain.nc").write_text("G1 X1 F600\n")
         report = self.simulated(self.path("plain.nc"), "--knots", self.path("knots.txt"))
-        self.assertIn("no knots", report["warnings"][0])
+        self.assertIn("contains no positions", report["warnings"][0])
         self.assertEqual(self.path("knots.txt").read_text(),
-                         "# time_s x y z a b c: places of the axes, mm and degrees\n")
+                         "# time_s x y z a b c: positions of the axes, mm and degrees\n")
 
     def test_refusals_name_the_line(self):
         self.path("tip.nc").write_text("G43.4\nM62 P1\n")

@@ -41,7 +41,7 @@ TEST(DoubledLines, TheSecondOneKeepsWhatIsItsOwn) {
   EXPECT_NEAR(length_of_all(plan), 40.0, 1.0e-6);
   EXPECT_THAT(warnings_of(plan),
               HasSubstr("1 line runs along others within 0.01 mm, this one "
-                        "first; what they share is driven once, which leaves out "
+                        "first; the common path is driven once, which leaves out "
                         "10.000 mm"));
 }
 

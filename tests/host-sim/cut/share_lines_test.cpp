@@ -183,8 +183,7 @@ TEST(ShareLines, AreAskedForWherePartsLieAgainstEachOther) {
   ASSERT_EQ(whole.faults.size(), 2U);
   for (const drawing::Fault& fault : whole.faults) {
     EXPECT_TRUE(fault.is_error());
-    EXPECT_EQ(fault.reason,
-              "lies against rect along 20.000 mm, without space for a cut between them");
+    EXPECT_EQ(fault.reason, "touches rect along 20.000 mm, without space for a cut between them");
     EXPECT_EQ(fault.remedy,
               "move them the kerf apart, 0.600 mm, or cut along the edge with --common-line, which "
               "takes half a kerf off both");
@@ -197,14 +196,14 @@ TEST(ShareLines, AreAskedForWherePartsLieAgainstEachOther) {
       plan_of(drawing_of({{10.0, 10.0, 40.0, 20.0}, {20.0, 30.005, 15.0, 9.0}}), {});
   ASSERT_EQ(shifted.faults.size(), 2U);
   EXPECT_EQ(shifted.faults[1].reason,
-            "lies against rect along 15.000 mm, without space for a cut between them");
+            "touches rect along 15.000 mm, without space for a cut between them");
   const auto in_hole =
       drawing::read(drawing::svg_of("<rect x=\"10\" y=\"10\" width=\"40\" height=\"40\"/>"
                                     "<circle cx=\"30\" cy=\"30\" r=\"10\"/>"
                                     "<path d=\"M20.002 30A9.998 9.998 0 0 1 39.998 30Z\"/>"));
   const CutPlan round = plan_of(in_hole, {});
   ASSERT_FALSE(round.faults.empty());
-  EXPECT_NE(round.faults[0].reason.find("lies against"), std::string::npos);
+  EXPECT_NE(round.faults[0].reason.find("touches"), std::string::npos);
 }
 
 /// Returns the depth of a point within a part, mm; nothing if it is outside.

@@ -23,7 +23,7 @@ TEST(CertainGaps, AContourThatNearlyClosesIsClosedByALine) {
   const Drawing drawn = mended("M13.1 10 H60 V50 H13 V10.1");
   ASSERT_THAT(kinds_of(drawn), ElementsAre(FaultKind::kMended));
   EXPECT_THAT(drawn.faults[0].reason,
-              HasSubstr("closed by a line, the longest, here, of 0.141 mm"));
+              HasSubstr("closed by a line; the longest line, here, has 0.141 mm"));
   ASSERT_THAT(drawn.contours, SizeIs(1));
   EXPECT_TRUE(drawn.contours[0].closed);
   EXPECT_NEAR(drawn.contours[0].area_mm2, 47.0 * 40.0 - 0.005, 1.0e-9) << "no line is bent";

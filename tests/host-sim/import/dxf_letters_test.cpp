@@ -176,12 +176,13 @@ TEST(DxfParagraphs, WrapAtTheirWidth) {
 TEST(DxfParagraphs, CodesBeforeTheFirstLetterAreFollowedAndOthersNoted) {
   const Drawing set = dxf_lettered(mtext_of("{\\fDejaVu Sans Mono|b0|i0|c0|p34;\\H2x;\\W0.5;HI}"));
   EXPECT_NEAR(box_of(set).height(), 20.0, 0.01);
-  EXPECT_THAT(notes_of_dxf(set), Not(HasSubstr("not followed")));
+  EXPECT_THAT(notes_of_dxf(set), Not(HasSubstr("format codes")));
   EXPECT_THAT(notes_of_dxf(set), HasSubstr("drawn in DejaVu Sans Mono"));
   const Drawing later = dxf_lettered(mtext_of("H\\H2x;I\\S1/2; \\C1;x \\Lu\\l"));
-  EXPECT_THAT(notes_of_dxf(later), HasSubstr("codes that are not followed: \\H \\S \\C \\L"));
+  EXPECT_THAT(notes_of_dxf(later), HasSubstr("codes that are ignored: \\H \\S \\C \\L"));
   EXPECT_NEAR(box_of(later).most.y(), 50.0, 0.2);
-  EXPECT_THAT(notes_of_dxf(dxf_lettered(mtext_of("{\\H2x;H}I"))), HasSubstr("not followed: {}"));
+  EXPECT_THAT(notes_of_dxf(dxf_lettered(mtext_of("{\\H2x;H}I"))),
+              HasSubstr("codes that are ignored: {}"));
   const OutlineBox literal = box_of(dxf_lettered(mtext_of("\\{\\\\\\}")));
   const OutlineBox plain = box_of(dxf_lettered(text_of("{\\}")));
   EXPECT_NEAR(literal.width(), plain.width(), 1e-9);

@@ -40,8 +40,8 @@ TEST(Check, TakesChecksThatFitAndNamesThoseThatDoNot) {
   EXPECT_DOUBLE_EQ(good.path_length_mm, 10.0);
   const Report bad = checked("N1 G21*20\nN2 G1 X5 F500*1\nN3 G1 X2 F500\n");
   EXPECT_THAT(faults_of(bad),
-              ElementsAre("f:1:7: the check does not fit its line",
-                          "f:2:14: the check does not fit its line"));
+              ElementsAre("f:1:7: the check does not match its line",
+                          "f:2:14: the check does not match its line"));
   EXPECT_DOUBLE_EQ(bad.path_length_mm, 2.0);
   EXPECT_EQ(bad.refused_lines, 2U);
 }
@@ -50,11 +50,11 @@ TEST(Check, TellsOfARateThatTheMotorDoesNotReach) {
   const std::string program = "G21 G90\nG1 X20 F6000\n";
   const std::vector<std::string> set{"$0=10", "$100=250", "$110=60000"};
   constexpr const char* kTold =
-      "f: $110=60000 is 250000 steps/s; pulses of $0=10 us leave 44091, so X is driven at 10582 "
+      "f: $110=60000 is 250000 steps/s; pulses of $0=10 us allow 44091, so X is driven at 10582 "
       "mm/min at most";
   EXPECT_THAT(checked(program, set).warnings, Contains(kTold));
   EXPECT_THAT(checked(program, {"$0=2.5", "$100=250", "$110=60000"}).warnings,
-              Contains(HasSubstr("pulses of $0=2.5 us leave 138571,")));
+              Contains(HasSubstr("pulses of $0=2.5 us allow 138571,")));
   const auto of_x = Contains(HasSubstr("so X is driven"));
   EXPECT_THAT(checked(program, {"$0=10", "$100=250", "$110=10582"}).warnings, Not(of_x));
   EXPECT_THAT(checked(program, {"$0=1", "$100=250", "$110=48000"}).warnings, Not(of_x));
@@ -65,7 +65,7 @@ TEST(Check, TellsOfARateThatTheMotorDoesNotReach) {
 TEST(Sim, EndsAtTheFirstWrongCheck) {
   EXPECT_THAT(simulated("N0 M110*35\nN1 G21*27\nN2 G1 X5 F500*52\n").faults, IsEmpty());
   const Report report = simulated("G1 X5 F500\nN1 G21*20\nN2 G1 X50 F500*1\n");
-  EXPECT_THAT(faults_of(report), ElementsAre("f:2:7: the check does not fit its line"));
+  EXPECT_THAT(faults_of(report), ElementsAre("f:2:7: the check does not match its line"));
   EXPECT_THAT(report.warnings, Contains("f: all figures end before line 2, which is refused"));
   EXPECT_NEAR(report.path_length_mm, 5.0, 0.01);
 }

@@ -59,8 +59,9 @@ TEST(ProgramText, LeavesOutGoodChecksOfAnyForm) {
                       with_crc("N4 G0 (a) X1") + "\n" + with_sum("G0 X2") + "\n");
   EXPECT_EQ(program.text,
             "N1 G21   \nN2 G1 X5 F500    ; go\nN3 G1 X0    \t\nN4 G0 (a) X1         \nG0 X2   \n");
-  EXPECT_THAT(said(program.notes),
-              ElementsAre("f:1:7: correct checks of lines are left out; 5 times in all"));
+  EXPECT_THAT(
+      said(program.notes),
+      ElementsAre("f:1:7: the checks of lines are correct, and are left out; 5 times in all"));
   EXPECT_THAT(program.faults, IsEmpty());
 }
 
@@ -72,9 +73,9 @@ TEST(ProgramText, NamesWrongChecksByLineAndKeepsThem) {
   const std::string file = "N1 G21*20\nN2 G1 X5 F500*52\nN3 G0*12345678\nG0 X1*0 ; no\n";
   const ProgramText program = prepare_program(file);
   EXPECT_THAT(said(program.faults),
-              ElementsAre("f:1:7: the check does not fit its line",
-                          "f:3:6: the check does not fit its line",
-                          "f:4:6: the check does not fit its line"));
+              ElementsAre("f:1:7: the check does not match its line",
+                          "f:3:6: the check does not match its line",
+                          "f:4:6: the check does not match its line"));
   EXPECT_TRUE(program.text.starts_with("N1 G21*20\n")) << "for the controller to refuse";
   std::string full;
   for (int i = 0; i < 5000; ++i) full += "N1 G21*20\n";

@@ -150,7 +150,7 @@ class Job(ServeTest):
     def test_ends_a_file_where_every_tool_ends_it(self):
         _, port, page = self.bench()
         program = load(port, b"\xef\xbb\xbfN1 G91*49\nM110\nG1\xc2\xa0X2 F6000 !\nM30\nG1 X5\n")
-        self.assertEqual(program["faults"][0], "line 1: the check does not fit its line")
+        self.assertEqual(program["faults"][0], "line 1: the check does not match its line")
         check = 0
         for byte in b"N1 G91":
             check ^= byte
@@ -167,7 +167,7 @@ class Job(ServeTest):
 
     def test_begins_with_no_program_whose_checks_are_wrong_or_whose_lines_are_too_long(self):
         _, port, page = self.bench()
-        for text, words in (("N1 G91*1\n", "line 1: the check does not fit its line"),
+        for text, words in (("N1 G91*1\n", "line 1: the check does not match its line"),
                             ("G4 P0\nG1 X" + "0" * 250 + "\n", "line 2: longer than 248")):
             program = load(port, text)
             for accepted in ([], program["faults"]):

@@ -144,12 +144,12 @@ TEST(StockFault, NamesRangeAndUnit) {
             "X of the stock is 5 to 5 mm; the second number must be greater");
   EXPECT_EQ(fault_of({0.0, 0.0, 5.0, 1.0, 0.0, std::nan("")}, 0.05),
             "Z of the stock is nan to 0 mm; it must be within -100000 to 100000 mm");
-  EXPECT_EQ(fault_of(kBlock, 0.0), "the stock's cells are 0 mm; they take 0.001 to 10 mm");
+  EXPECT_EQ(fault_of(kBlock, 0.0), "the stock's cells are 0 mm; they must be 0.001 to 10 mm");
   EXPECT_NE(fault_of({0.0, 0.0, 9'000.0, 9'000.0, 0.0, -1.0}, 0.01), "");
   EXPECT_NE(fault_of({0.0, 0.0, 9.0, 9.0, 0.0, -1'001.0}, 0.01), "");
   EXPECT_EQ(fault_of(kBull6), "");
   EXPECT_EQ(fault_of(Cutter{.diameter_mm = 0.0}),
-            "the tool's diameter is 0 mm; it takes 0.01 to 500 mm");
+            "the tool's diameter is 0 mm; it must be 0.01 to 500 mm");
   EXPECT_NE(fault_of(Cutter{.kind = CutterKind::kBull, .corner_radius_mm = 3.1}), "");
   EXPECT_NE(fault_of(Cutter{.kind = CutterKind::kV, .included_angle_deg = 180.0}), "");
   EXPECT_NE(fault_of(Cutter{.kind = CutterKind::kV, .tip_diameter_mm = 6.0}), "");

@@ -63,7 +63,8 @@ TEST(RealTexts, NormalsBehindThePointsArePassedOver) {
   const SurfaceInput input = read_text(
       "0 0 1.5 0 0 1\n1 0 -2 0 0 1\n2 0 3 0 0 1\n0 1 4 0 0 1\n1 1 5.25 0 0 1\n2 1 6 0 0 1\n");
   EXPECT_EQ(input.grid->points, kSix);
-  EXPECT_THAT(input.notes, ElementsAre(HasSubstr("6 columns; the first three are X, Y and Z")));
+  EXPECT_THAT(input.notes,
+              ElementsAre(HasSubstr("6 columns; the first three are read as X, Y and Z")));
 }
 
 TEST(RealTexts, BlanksAtTheEndsExponentsAndSigns) {

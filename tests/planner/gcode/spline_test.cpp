@@ -152,9 +152,9 @@ struct RefusedSpline {
 const RefusedSpline kRefusedSplines[]{
     {4, 12, "G5.2 X1 Y1 P-1", "F1", "P-1 is negative"},
     {20, 1, "G5.4", "", "G5.4 is not supported"},
-    {20, 1, "M3", "G5.2 X1 Y1 F1", "M3 has no place in a NURBS: G5.3 ends it, G80 drops it"},
-    {20, 1, "S5", "G5.2 X1 Y1 F1", "S5 has no place in a NURBS: G5.3 ends it, G80 drops it"},
-    {20, 1, "G1 X1", "G5.2 X1 Y1 F1", "G1 has no place in a NURBS: G5.3 ends it, G80 drops it"},
+    {20, 1, "M3", "G5.2 X1 Y1 F1", "M3 is not permitted in a NURBS: G5.3 ends it, G80 drops it"},
+    {20, 1, "S5", "G5.2 X1 Y1 F1", "S5 is not permitted in a NURBS: G5.3 ends it, G80 drops it"},
+    {20, 1, "G1 X1", "G5.2 X1 Y1 F1", "G1 is not permitted in a NURBS: G5.3 ends it, G80 drops it"},
     {22, 1, "G5 X1 I1 J1 P1 Q1", "", "F is missing: no feed is set"},
     {22, 1, "G5.1 X1 I1 J1", "", "F is missing: no feed is set"},
     {22, 1, "G5.2 X1 Y1", "", "F is missing: no feed is set"},
