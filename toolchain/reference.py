@@ -62,7 +62,7 @@ REALTIME = {
     "ParserState": "prints the modes of the parser", "SafetyDoor": "safety door",
     "JogCancel": "cancels a jog", "FullStatus": "status report with all fields",
     "OptionalStop": "optional stop (M1) on or off", "SingleBlock": "single block on or off",
-    "AutoReport": "status reports by themselves on or off (`$481`)",
+    "AutoReport": "automatic status reports on or off (`$481`)",
     "FeedReset": "feed override 100 %", "FeedUp10": "feed override + 10 %",
     "FeedDown10": "feed override - 10 %", "FeedUp1": "feed override + 1 %",
     "FeedDown1": "feed override - 1 %", "RapidFull": "rapid override 100 %",

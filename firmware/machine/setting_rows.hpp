@@ -248,7 +248,8 @@ inline constexpr std::array<SettingInfo, 83> kRows{{
      "Lag of the light behind the motors; negative if the light is earlier."},
     SettingInfo{858, Group::kGeneral, Type::kInteger, "Link watchdog", "milliseconds",
      0.0F, 60000.0F, 250.0F, kWhole,
-     "A laser is switched off (alarm 25) after this time and a fifth without a byte of its sender; 0: never."},
+     "A laser is switched off (alarm 25) after this time and a fifth without a byte of a sender "
+     "that polls or owes a line; 0: never."},
     SettingInfo{859, Group::kGeneral, Type::kInteger, "CAN node", "number",
      1.0F, 126.0F, 17.0F, kWhole,
      "Node number on a CAN bus. A change acts when no sender talks on that bus."},
