@@ -59,7 +59,7 @@ TEST(Check, TellsOfARateThatTheMotorDoesNotReach) {
   EXPECT_THAT(checked(program, {"$0=10", "$100=250", "$110=10582"}).warnings, Not(of_x));
   EXPECT_THAT(checked(program, {"$0=1", "$100=250", "$110=48000"}).warnings, Not(of_x));
   EXPECT_THAT(checked(program, {"$0=1", "$100=250", "$110=48060"}).warnings,
-              Contains(HasSubstr("leave 200000, so X is driven at 48000 mm/min at most")));
+              Contains(HasSubstr("allow 200000, so X is driven at 48000 mm/min at most")));
 }
 
 TEST(Sim, EndsAtTheFirstWrongCheck) {

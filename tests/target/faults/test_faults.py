@@ -22,7 +22,7 @@ from plant import in_function, in_main_loop  # noqa: E402
 CHIP = None
 MOST_INSTRUCTIONS = 64
 AT_NS = BOOT_NS + 120 * MS
-RESTARTED_NS = 45 * MS
+RESTARTED_NS = 60 * MS  # Time after a fault for the restart and its message at 115,200 baud.
 
 # Fine steps and hard acceleration: while the beam is lit, steps are less than 1 ms apart.
 FINE = "$32=1\n$858=0\n$100=1600\n$101=1600\n$120=5000\n$121=5000\n"
