@@ -11,8 +11,8 @@ void Machine::note_progress() {
   progress_.note(drive_.line(), motion_.tool_steps());
 }
 
-/// Progress that was restored after a restart counts in every mode, because the restart has
-/// interrupted the program.
+/// Returns whether a program was interrupted and the machine is at rest. After a restart this is so
+/// in every mode, because the restart has interrupted the program whose progress was restored.
 bool Machine::interrupted() const {
   const bool stopped = state_.in(Mode::kHold) || state_.in(Mode::kDoor) ||
                        state_.in(Mode::kAlarm) || !progress_.place_is_kept();

@@ -39,7 +39,7 @@ class RapidRouter {
   struct Try {
     FreeLegs legs;
     Place lowest;
-    bool was_bounded = false;  ///< Whether a corner was left out because of `lowest`.
+    bool was_bounded = false;  ///< Whether the search left out a corner by the rule of `lowest`.
   };
   [[nodiscard]] static std::vector<Place> search(Try& t, const RapidEnd& from, const RapidEnd& to);
   [[nodiscard]] static std::vector<Place> find(Try& t, const RapidEnd& from, const RapidEnd& to);

@@ -86,7 +86,8 @@ class Sharing {
     return &plan_.plan_of(plan_.cuts[a]) == &plan_.plan_of(plan_.cuts[b]);
   }
 
-  /// Returns the stretches of a cut that cuts of lower rank make, as distances along its path.
+  /// Returns the stretches of the path of cut `i` that are made by cuts of lower rank, as distances
+  /// along this path.
   [[nodiscard]] Loss loss_of(std::size_t i) const {
     const UnbegunCut& cut = unbegun_[i];
     const double tolerance = cut.settings.common_line_mm;

@@ -101,7 +101,7 @@ class Pipeline {
   void set_overrides(const motion::Overrides& overrides) { segmenter_.set_overrides(overrides); }
   [[nodiscard]] const motion::Overrides& overrides() const { return segmenter_.overrides(); }
 
-  // Calls for a machine at rest.
+  // These functions may be called only while the machine is at rest.
 
   /// Drops all remaining motion. A halt stays in effect.
   /// @param tool position of the axes, in motor steps without backlash. The new target() is the

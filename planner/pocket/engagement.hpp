@@ -27,9 +27,9 @@ struct ToolCircle {
   double radius = 0.0;
 };
 
-/// The part of a tool circle along which the tool cuts. The tool has followed one circle and
-/// cleared a disc around its centre. The disc of the next circle extends beyond the cleared disc by
-/// a crescent. The arc turns left.
+/// The arc of the next circle along which the tool cuts. On the circle before, the tool has cleared
+/// a disc. The disc of the next circle extends beyond the cleared disc by a crescent. The arc turns
+/// left.
 struct Crescent {
   WideVec2 begin{0.0, 0.0};   ///< First intersection of the two circles.
   WideVec2 middle{0.0, 0.0};  ///< Point farthest from the cleared circle.

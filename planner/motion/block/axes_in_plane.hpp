@@ -48,8 +48,8 @@ class AxesInPlane {
   std::size_t count_ = 0;
 };
 
-/// Greatest magnitudes of an axis's shares over a range of directions of travel: of the share in
-/// the direction of travel (tangent), and of the share in its normal.
+/// Greatest magnitudes, over a range of directions of travel, of the components of the tangent and
+/// of the normal along one axis.
 struct AxisShares {
   float tangent = 0.0F;
   float normal = 0.0F;

@@ -62,8 +62,8 @@ struct LimitZone {
 ///   sqrt(X + a² T²) − a T,
 /// because a level speed v over T uses the distance v T, over which the curve falls by 2 a v T.
 ///
-/// Up to the speed `kept` the motion may always speed up. The path ahead allows it to keep that
-/// speed until it reaches a point where the condition above is satisfied.
+/// The motion may always speed up to the speed `kept`. The path ahead allows this speed up to a
+/// point where the bound above is at least `kept`.
 struct BrakingState {
   /// Greatest v² from which the rest of the path can be driven, mm²/s².
   float speed_square = 0.0F;

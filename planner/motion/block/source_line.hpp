@@ -12,8 +12,8 @@ struct SourceLine {
 
   constexpr SourceLine() = default;
   /// @param line_number N word, at most 9999999 in G-code; 0 for none
-  /// @param which number of the part, from 0; all parts from kMaxParts on have the number kMaxParts
-  // NOLINTNEXTLINE(google-explicit-constructor): a number is a line's first part.
+  /// @param which index of the part of the line, from 0; from kMaxParts on it is kMaxParts
+  // NOLINTNEXTLINE(google-explicit-constructor): a line number stands for the line's first part.
   constexpr SourceLine(std::uint32_t line_number, std::uint32_t which = 0)
       : number{line_number & 0xFF'FFFFU}, part{(which < kMaxParts ? which : kMaxParts) & 0xFFU} {}
 

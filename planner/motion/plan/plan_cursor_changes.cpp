@@ -15,8 +15,8 @@ constexpr std::uint64_t kBetweenTriesNs = 20'000'000;
 
 }  // namespace
 
-/// Returns the end of the chain, the blocks from the present block to the next stop. It is the
-/// index of the next block that begins from rest, or the size of the queue.
+/// Returns the end of the chain: the index of the next block that begins from rest, or the size of
+/// the queue. The chain is the blocks from the present block to the next stop.
 std::size_t PlanCursor::chain_end() const {
   std::size_t end = index_ + 1;
   while (end < queue_.size() && !queue_.at(end).from_rest) ++end;
@@ -48,9 +48,9 @@ std::uint64_t PlanCursor::time_to(std::size_t end, const TimeWindow& window) {
 /// takes longer again.
 TimeWindow PlanCursor::quickest(const WindowChoice& choice, std::size_t end) {
   constexpr std::array<float, 7> kShares{0.84F, 0.7F, 0.59F, 0.5F, 0.42F, 0.35F, 0.25F};
-  /// These numbers of blocks limit the time of the choice to some milliseconds on the controller.
-  /// Up to kFewBlocks blocks are planned under all windows. Up to kMaxBlocks blocks are planned
-  /// under every third window.
+  /// These numbers of blocks limit the time for choosing a window to some milliseconds on the
+  /// controller. Up to kFewBlocks blocks are planned under all windows. Up to kMaxBlocks blocks are
+  /// planned under every third window.
   constexpr std::size_t kFewBlocks = 16;
   constexpr std::size_t kMaxBlocks = 64;
   constexpr std::size_t kWideStep = 3;

@@ -19,8 +19,9 @@ constexpr float kMinGain = 1.0e-4F;
 constexpr float kAbovePlan = 1.0F + 1.0e-4F;
 constexpr float kSteeperThanPlan = 1.0F + 5.0e-4F;
 
-/// Greatest ratio of v² to the braking curve that rounding explains: under a time window, the speed
-/// may have to stay level for a rounded time before braking (Patience::before_braking).
+/// Greatest ratio of v² to the braking curve. Rounding alone may make the ratio greater than 1:
+/// under a time window, the speed may have to stay level for a rounded time before braking
+/// (Patience::before_braking).
 constexpr float kLate = 1.0005F;
 
 /// Rounding error of v², relative to v²: two units in the last place of a float.
@@ -202,7 +203,7 @@ Phase SpeedProfile::speed_up() const {
   if (peak <= speed_square_) return {};
   // Distances of braking (`fall`) and of speeding up (`rise`). Each is computed from a small
   // difference of large v², so the distance with the greater acceleration has the smaller error. If
-  // this distance is `fall`, it limits `rise`.
+  // this distance is `fall`, `rise` is at most the length that `fall` leaves.
   const float fall = fall_from(peak);
   float rise = (peak - speed_square_) / (2.0F * acceleration);
   const bool steeper_fall = acceleration < here().deceleration;

@@ -17,7 +17,7 @@ struct Phase {
   float end_speed_square = 0.0F;
   /// Distance from the end of the phase to the end of its last span, mm; 0 if both end together.
   float left = 0.0F;
-  int passes = 0;  ///< Number of spans that end within the phase before its last span.
+  int passes = 0;  ///< Number of spans that end within the phase, without its last span.
 };
 
 /// State that limits a change of speed where jerk is limited. The first two fields are the times in

@@ -37,8 +37,8 @@ class JoinedSlices {
   }
 
   /// Sets the step trains, the directions and the ticks of `segment`, which ends with the motors at
-  /// `to`. A segment that is shorter than a tick and has no step gets no ticks. @pre no train of
-  /// the segment has a step
+  /// `to`. A segment that is shorter than a tick, and needs no step to reach `to`, gets no ticks.
+  /// @pre the step trains of `segment` are still empty
   void time(const AxisArray<StepPosition>& to, Segment& segment);
   /// Makes the segment last one tick. The next segment is shorter by that tick.
   void lend_tick(Segment& segment);

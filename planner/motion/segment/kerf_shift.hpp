@@ -17,11 +17,11 @@ namespace cnc::motion {
 ///
 /// The shift is half of the difference times a vector in the plane of the path. On a block next to
 /// an edge, the component of the vector across the path is the unit normal. So the edge of the cut
-/// stays on the edge of the part. The component along the path leads to the shifted corner: at a
-/// joint, the vectors of both blocks lead to the point where their shifted paths meet. On a block
-/// that is not next to an edge, the vector changes from the vector of the previous block to the
-/// vector of the next block. If the next block is not next to an edge either, the vector changes to
-/// zero.
+/// stays on the edge of the part. At a joint of two such blocks, a component along the path is
+/// added, so that the vectors of both blocks lead to the point where their shifted paths meet. On a
+/// block that is not next to an edge, the vector changes from the vector of the previous block to
+/// the vector of the next block. If the next block is not next to an edge either, the vector
+/// changes to zero.
 ///
 /// While the plan drives a distance, neither a change of the shift's length nor a change of the
 /// vector moves the beam by more than a quarter of this distance. So the shift lags where hard
@@ -77,7 +77,7 @@ class KerfShift {
   SinCos tangent_{0.0F, 1.0F};
   Vector now_{};        ///< Present vector: components along the tangent and to its left.
   Vector end_{};        ///< Vector at the end of the block, relative to the tangent there.
-  float aside_ = 0.0F;  ///< Length by which the vector is multiplied, mm.
+  float aside_ = 0.0F;  ///< Factor of the vector: half of the difference of the kerfs, mm.
   std::array<std::int64_t, 2> steps_q32_{};
 };
 

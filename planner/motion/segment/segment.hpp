@@ -58,7 +58,8 @@ struct Segment {
   static constexpr std::size_t kMaxLevels = 6;
 
   std::uint32_t ticks = 0;    ///< Duration of the segment.
-  PowerCourse power{};        ///< Output up to the first level, or to the end.
+  /// Power from the start of the segment to its first level, or to its end if it has no level.
+  PowerCourse power{};
   std::uint8_t negative = 0;  ///< Bit i: axis i runs backwards.
   std::uint8_t level_count = 0;
   /// True if the motion is at rest after the segment. Then an empty queue is no fault.
