@@ -57,7 +57,7 @@ struct Segment {
   /// gives the output of the first pixel, and each further pixel has a level.
   static constexpr std::size_t kMaxLevels = 6;
 
-  std::uint32_t ticks = 0;    ///< Duration of the segment.
+  std::uint32_t ticks = 0;  ///< Duration of the segment.
   /// Power from the start of the segment to its first level, or to its end if it has no level.
   PowerCourse power{};
   std::uint8_t negative = 0;  ///< Bit i: axis i runs backwards.
