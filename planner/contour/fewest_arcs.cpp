@@ -23,14 +23,14 @@ int FewestArcs::variants(std::size_t index) const {
 }
 
 FewestArcs::Launches FewestArcs::launches(std::size_t index) const {
-  constexpr int kLooks = 24;
+  constexpr int kTrials = 24;
   constexpr int kSteps = 28;
   if (index > 0) {
     const FitLink& before = links_[index - 1];
-    return {.index = index, .range = {before.start.sample, before.reach, kLooks, kSteps}};
+    return {.index = index, .range = {before.start.sample, before.reach, kTrials, kSteps}};
   }
   if (options_->start == FitEnd::kTangent) return {.range = {0.0, 0.0, 2, 0}};
-  return {.range = {-1.0, 1.0, 2 * kLooks + 1, kSteps}};
+  return {.range = {-1.0, 1.0, 2 * kTrials + 1, kSteps}};
 }
 
 BandStart FewestArcs::launch(const Launches& from, double at) const {
@@ -84,11 +84,11 @@ bool FewestArcs::extend(std::size_t index) {
 }
 
 double FewestArcs::next_reach(std::size_t index) const {
-  constexpr int kLooks = 6;
+  constexpr int kTrials = 6;
   const Launches next = launches(index + 1);
   double reach = 0.0;
-  for (int i = 0; i < kLooks; ++i) {
-    const double share = static_cast<double>(i) / static_cast<double>(kLooks - 1);
+  for (int i = 0; i < kTrials; ++i) {
+    const double share = static_cast<double>(i) / static_cast<double>(kTrials - 1);
     const double at = next.range.high - share * share * (next.range.high - next.range.low);
     reach = std::max(reach, band_->farthest(launch(next, at)).sample);
   }
