@@ -233,6 +233,11 @@ void EdgeFinder::add_point(std::size_t i, double way_mm, std::size_t other, cons
     nearest = apart;
     beside_mm = row.way_to(k) + nearest_share(stroke, place) * length_of(stroke);
   }
+  // A corner next to the point counts as the point. Otherwise, the outline would leave the point by
+  // a crumb of an edge, in whose direction there is no waste.
+  for (std::size_t k = 0; k < row.strokes().size(); ++k) {
+    if (std::abs(row.way_to(k) - beside_mm) <= kSameNode) beside_mm = row.way_to(k);
+  }
   if (beside_mm > row.length() - kSameNode) beside_mm = 0.0;
   if (is_taken(i, way_mm) || is_taken(other, beside_mm)) return;
   const std::size_t node = node_at(place);

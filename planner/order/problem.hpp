@@ -56,7 +56,7 @@ concept LegCost = requires(const Cost& cost, Index from, Index to) {
 
 /// Cost of a forbidden leg. It far exceeds the sum of all other legs, but is small enough for a sum
 /// with it to keep their digits. So a tour with forbidden legs is worse than any tour without them.
-/// Of two tours with forbidden legs, the tour with fewer of them is better.
+/// A tour with fewer forbidden legs is better than a tour with more of them.
 inline constexpr double kForbidden = 1.0e12;
 
 /// Returns whether a tour of this cost has no forbidden leg.
